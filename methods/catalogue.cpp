@@ -57,6 +57,8 @@ void add_method(MethodEntry entry) {
   entries.insert(place, std::move(entry));
 }
 
+const MethodEntry& exact_method() { return *std::ranges::find(all_methods(), true, &MethodEntry::exact); }
+
 std::string same_equations_as(const MethodEntry& entry, std::span<const OptionEcho> options) {
   for (const SameEquations& same : entry.same_equations) {
     const auto holds = [&](const OptionEcho& option) {

@@ -40,6 +40,7 @@ struct MethodEntry {
   std::vector<SameEquations> same_equations = {};
   /// \throws InvalidOption
   std::function<std::unique_ptr<Method>(std::span<const OptionSetting> settings)> make;
+  bool exact = false;       ///< its motions are exact orbits, and curves of others are judged by its own
   std::string plugin = {};  ///< SHA-256 of the files that a method of a plugin consists of; else empty
   std::string untimed =
       {};  ///< why its times would mean nothing, as of a plugin without optimiser; else empty
@@ -86,6 +87,13 @@ std::vector<SameEquations> named_equations() {
   return named;
 }
 
+/// Whether a method class says so by a member `kExact`.
+template <class M>
+constexpr bool is_exact() {
+  if constexpr (requires { M::kExact; }) return M::kExact;
+  return false;
+}
+
 /// The catalogue entry of a method class: its constructor validates the options it is given.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
@@ -101,7 +109,8 @@ MethodEntry method_entry() {
             typename M::Options options;
             apply_settings(options, settings);
             return std::make_unique<M>(options);
-          }};
+          },
+          .exact = is_exact<M>()};
 }
 
 /// All methods, in table order: those of the program, then those of plugins by name.
@@ -113,6 +122,9 @@ void add_method(MethodEntry entry);
 
 /// The method whose equations this one solves too with these complete options; empty: none is known.
 std::string same_equations_as(const MethodEntry& entry, std::span<const OptionEcho> options);
+
+/// The first method whose motions are exact orbits.
+const MethodEntry& exact_method();
 
 /// The entry of that name. \throws InvalidOption listing the names there are.
 const MethodEntry& find_method(std::string_view name);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,6 +39,12 @@ struct Start {
   }
 };
 
+/// Times that a prepared method tells itself, apart from what it costs to reach it.
+struct OwnTimes {
+  std::optional<double> last = {};            ///< of the last solve; empty: the harness measures it [s]
+  std::optional<double> least_exchange = {};  ///< least time that passed in a solve beside its own [s]
+};
+
 /// A method prepared for one scene: everything that a user pays once per scene is done.
 class PreparedMethod {
  public:
@@ -49,7 +56,11 @@ class PreparedMethod {
   /// \param problem  that scene, different in `frequency` alone; must outlive this
   /// \return whether the next solve answers it; if not, nothing has changed
   virtual bool take_frequency([[maybe_unused]] const Problem& problem) { return false; }
+  /// Of its solves so far; empty where it has no clock of its own.
+  [[nodiscard]] virtual OwnTimes own_times() const { return {}; }
 };
+
+class CurveMethod;
 
 /// Immutable after construction, hence safe to share between threads.
 class Method {
@@ -64,6 +75,9 @@ class Method {
   /// Set-up for one valid, supported scene, which must outlive the result.
   /// \throws std::runtime_error if the structure cannot be factorised
   [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const = 0;
+  /// The method as one that follows curves of its solutions (curve.hpp), while this lives; null: it follows
+  /// none.
+  [[nodiscard]] virtual const CurveMethod* curve() const { return nullptr; }
 };
 
 /// The scene's own law as one that is represented.

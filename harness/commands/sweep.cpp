@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "harness/commands/sweep_arguments.hpp"
 #include "harness/commands/command_line.hpp"
+#include "harness/commands/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/plan/deadline.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/plots/response_plot.hpp"
 #include "harness/progress.hpp"
@@ -120,9 +121,9 @@ ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& sce
     (void)sweep_frequencies(range);  // refuses a range that is none
     return over_frequency(scene.problem, range.from, range.to);
   }
-  if (arguments.natural || arguments.methods != kFollowedByArcLength)
-    throw UsageError(fmt::format("parameter = {} (must be {}: only {} by arc length follows others)",
-                                 arguments.parameter, kFrequency, kFollowedByArcLength));
+  if (arguments.natural)
+    throw UsageError(
+        fmt::format("parameter = {} (must be {} with --natural)", arguments.parameter, kFrequency));
   return over_place(find_scene(arguments.scene), arguments.parameter, range.from, range.to);
 }
 
@@ -147,8 +148,9 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
                            ResponseStream& stream, ResponseFolder* folder) {
   const std::vector<double>& values = arguments.range.at;
   MethodResponse response = blank_response(arguments, scene, method);
-  BranchLimits limits = arguments.branches;
+  CurveLimits limits = arguments.branches;
   limits.at = values;
+  limits.deadline = deadline_after(arguments.total_time);
   if (arguments.bifurcation) limits.phases = 1;
   limits.take = [&](const Branch& branch) {
     const Branch shown = values.empty() ? branch : points_at(branch, values);
@@ -159,6 +161,10 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
   if (!arguments.natural) {
     std::optional<Waiting> waiting;  // unless lines come meanwhile
     if (!stream.prints()) waiting.emplace("following branches of " + response.method);
+    constexpr double kShareOfSearches = 0.5;  // of the time
+    if (arguments.searches > 0 && has_curve(method))
+      limits.begin_at = searched_motions(varied, arguments.searches, limits.max_order,
+                                         kShareOfSearches * arguments.total_time);
     own = branches_of(varied, method, limits);
   }
   if (!own) {
@@ -214,6 +220,10 @@ int sweep_branches(const SweepArguments& arguments) {
   for (const std::string& name : names)
     methods.push_back({&find_method(name), parse_settings(arguments.settings)});
   const ParametrisedScene varied = parametrised(arguments, scene);
+  for (const MethodChoice& method : methods) {
+    if (!arguments.natural && (arguments.parameter != kFrequency || has_curve(method)))
+      require_curve(varied, method);
+  }
   std::optional<ResponseFolder> folder = folder_of(arguments, scene);
   watch_interrupts();
   ResponseStream stream(arguments.format, {.method = {},
@@ -244,20 +254,24 @@ int sweep_branches(const SweepArguments& arguments) {
 
 // Special points over the frequency and a second number.
 int sweep_special_points(const SweepArguments& arguments) {
-  if (arguments.methods != kFollowedByArcLength || arguments.natural || arguments.parameter != kFrequency)
-    throw UsageError(fmt::format("follow = {} (must go with --methods {}, over the frequency by arc length)",
-                                 arguments.follow, kFollowedByArcLength));
+  if (arguments.methods.empty() || arguments.natural || arguments.parameter != kFrequency)
+    throw UsageError(fmt::format("follow = {} (must go with --methods, over the frequency by arc length)",
+                                 arguments.follow));
   if (arguments.second.place.empty())
     throw UsageError("follow needs --second, --second-from and --second-to");
   if (!arguments.range.at.empty() || !arguments.plot.empty() || arguments.out)
     throw UsageError("--at, --plot and --out (must be left out with --follow)");
-  const BifurcationResponse response =
+  const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
+  CurveLimits limits = arguments.branches;
+  limits.deadline = deadline_after(arguments.total_time);
+  const std::string& second = arguments.second.place;
+  const BifurcationCurves response =
       bifurcation_response(find_scene(arguments.scene), arguments.range.from, arguments.range.to,
-                           arguments.second, arguments.follow, arguments.branches);
+                           arguments.second, arguments.follow, method, limits);
   if (arguments.format == "json" || arguments.format == "jsonl") {
-    fmt::print("{}\n", json_line(to_json(response)));
+    fmt::print("{}\n", json_line(to_json(response, second)));
   } else {
-    print_table(arguments, bifurcation_table(response));
+    print_table(arguments, bifurcation_table(response, second));
   }
   if (!response.unfinished.empty()) fmt::print(stderr, "{}\n", response.unfinished);
   return response.curves.empty() ? kUnexpectedFailure : kDone;

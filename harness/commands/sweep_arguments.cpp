@@ -29,11 +29,11 @@ void add_branch_options(const Command& command, SweepArguments& arguments) {
   command.option("--max-points", arguments.branches.max_points, "by arc length: points of a branch")
       .range(2, 1000000)
       .shows_default();
-  command.option("--total-time", arguments.branches.timeout, "by arc length: wall time of all branches [s]")
+  command.option("--total-time", arguments.total_time, "by arc length: wall time of all branches [s]")
       .check(positive_seconds)
       .shows_default();
   command
-      .option("--search", arguments.branches.searches,
+      .option("--search", arguments.searches,
               "by arc length, of exact-orbit: begin also at all orbits that `signorini orbits` finds at so "
               "many values inside, for isolated branches")
       .range(0, 100)
@@ -120,7 +120,7 @@ SweepRange interval(const SweepArguments& arguments) {
 
 nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene& scene) {
   const SweepRange& range = arguments.range;
-  const BranchLimits& branches = arguments.branches;
+  const CurveLimits& branches = arguments.branches;
   return {{"scene", scene.problem.name},
           {"sha256", scene.sha256},
           {"parameter", arguments.parameter},
@@ -136,8 +136,8 @@ nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene&
           {"max-order", branches.max_order},
           {"max-branches", branches.max_branches},
           {"max-points", branches.max_points},
-          {"total-time", branches.timeout},
-          {"search", branches.searches},
+          {"total-time", arguments.total_time},
+          {"search", arguments.searches},
           {"bifurcation", arguments.bifurcation}};
 }
 

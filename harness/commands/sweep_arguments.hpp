@@ -21,7 +21,9 @@ struct SweepArguments {
   std::vector<std::string> settings;
   SweepRange range;
   SweepLimits limits;
-  BranchLimits branches;
+  CurveLimits branches;
+  double total_time = 60.0;  ///< of all branches of a method [s]
+  int searches = 0;          ///< values of the parameter at which all orbits are searched
   std::string parameter{kFrequency};
   std::optional<double> from, to;
   bool natural = false;

@@ -22,7 +22,7 @@ std::string line_of(double frequency, const std::vector<double>& amplitude) {
 
 enum class Stability { stable, unstable, unknown };
 
-Stability part_of(const BranchPoint& point) {
+Stability part_of(const SolutionPoint& point) {
   switch (point.stability) {
     case OrbitStability::stable:
     case OrbitStability::elliptic:
@@ -36,7 +36,7 @@ Stability part_of(const BranchPoint& point) {
 
 /// What is drawn of a point: its amplitude, or one displacement for each forcing period; of the contact that
 /// moves most.
-std::vector<double> ordinates(const BranchPoint& point, ResponseOrdinate ordinate) {
+std::vector<double> ordinates(const SolutionPoint& point, ResponseOrdinate ordinate) {
   if (ordinate == ResponseOrdinate::amplitude) return {largest_of(point.amplitude)};
   if (point.amplitude.empty() || point.motion.rows() < point.order) return {};
   const auto contact = std::ranges::max_element(point.amplitude) - point.amplitude.begin();
@@ -49,14 +49,14 @@ std::vector<double> ordinates(const BranchPoint& point, ResponseOrdinate ordinat
 
 /// A point of a curve that is drawn: one of the branch, or a special one between two of these.
 struct Vertex {
-  const BranchPoint* point = nullptr;
+  const SolutionPoint* point = nullptr;
   bool special = false;
 };
 
 /// Those of a branch that have a `number`-th ordinate, in their order.
 std::vector<Vertex> vertices_of(const Branch& branch, ResponseOrdinate ordinate, std::size_t number) {
   std::vector<Vertex> vertices;
-  const auto add = [&](const BranchPoint& point, bool special) {
+  const auto add = [&](const SolutionPoint& point, bool special) {
     if (!special || ordinates(point, ordinate).size() > number) vertices.push_back({&point, special});
   };
   auto special = branch.special.begin();

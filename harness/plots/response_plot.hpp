@@ -14,7 +14,7 @@ namespace signorini {
 enum class ResponseOrdinate {
   amplitude,      ///< half of largest less least displacement
   once_a_period,  ///< the displacement at t = 0 of every forcing period: a bifurcation diagram; of points
-                  ///< that keep their motion (BranchLimits::phases)
+                  ///< that keep their motion (CurveLimits::phases)
 };
 
 /// Amplitude over the parameter of the branches, of the contact that moves most: a colour per method; stable

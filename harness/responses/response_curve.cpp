@@ -17,7 +17,7 @@ std::optional<bool> stable(OrbitStability stability) {
   return std::nullopt;
 }
 
-std::optional<double> amplitude_at(const BranchPoint& point) {
+std::optional<double> amplitude_at(const SolutionPoint& point) {
   return point.amplitude.empty() ? std::nullopt : std::optional(std::ranges::max(point.amplitude));
 }
 
@@ -86,7 +86,7 @@ ResponseCurve curve_of(const BranchDiagram& diagram) {
   ResponseCurve curve;
   for (const Branch& branch : diagram.branches) {
     ResponseBranch points;
-    for (const BranchPoint& point : branch.points)
+    for (const SolutionPoint& point : branch.points)
       points.points.push_back({.frequency = point.frequency,
                                .order = point.order,
                                .motion = point.motion,

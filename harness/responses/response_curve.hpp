@@ -7,7 +7,7 @@
 
 #include "harness/responses/response_metric.hpp"
 #include "harness/sweep/frequency_response.hpp"
-#include "methods/orbit/continuation/branch.hpp"
+#include "methods/curve.hpp"
 
 namespace signorini {
 

@@ -21,7 +21,6 @@
 #include "harness/run/round_messages.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "harness/text/words.hpp"
-#include "methods/curve_method.hpp"
 
 namespace signorini {
 
@@ -29,12 +28,6 @@ namespace {
 
 /// Frequencies of a sweep by steps, one way.
 constexpr int kSteps = 61;
-
-bool has_curve(const MethodChoice& method) {
-  const std::unique_ptr<Method> made = method.make();
-  return method.entry->name == kFollowedByArcLength ||
-         dynamic_cast<const CurveMethod*>(made.get()) != nullptr;
-}
 
 std::vector<MethodChoice> prescribed(const std::vector<std::string>& filters,
                                      std::span<const MethodEntry> catalogue) {
@@ -90,16 +83,16 @@ struct ResponseScene {
   [[nodiscard]] ParametrisedScene varied() const {
     return over_frequency(scene.problem, response.from, response.to);
   }
-  [[nodiscard]] BranchLimits branch_limits(double timeout) const {
-    return {.max_order = response.orders, .timeout = timeout};
+  [[nodiscard]] CurveLimits branch_limits(double timeout) const {
+    return {.max_order = response.orders, .deadline = deadline_after(timeout)};
   }
 
-  /// Orbits that exact-orbit finds in steps of the frequency on none of the branches: those of isolated
+  /// Orbits that it finds in steps of the frequency on none of the branches: those of isolated
   /// ones, and beyond ends at which a branch could not be followed.
   void add_orbits_beside() {
     constexpr double kShareOfSolve = 0.1;  // of the time limit
     const SweepRange range = range_of(response);
-    const MethodChoice method{.entry = &find_method(kFollowedByArcLength)};
+    const MethodChoice method{.entry = &exact_method()};
     const ResponseCurve steps =
         curve_of(frequency_response(scene, method, range,
                                     {.timeout = kShareOfSolve * limits.reference_timeout,
@@ -117,10 +110,10 @@ struct ResponseScene {
   }
 
   void follow_exactly() {
-    constexpr double kFineStep = 0.05;  // of CurveUnits, a third of the usual
-    BranchLimits fine = branch_limits(limits.reference_timeout);
+    constexpr double kFineStep = 1.0 / 3.0;  // of the usual
+    CurveLimits fine = branch_limits(limits.reference_timeout);
     fine.phases = kComparedPhases;
-    fine.largest_step = kFineStep;
+    fine.step_share = kFineStep;
     try {
       exact = curve_of(exact_branches(varied(), fine));
       add_orbits_beside();
@@ -157,15 +150,15 @@ ResponseRecord judged_response(const ResponseCurve& exact, const ResponseCurve& 
 ResponseRecord follow(const ResponseScene& at, const MethodChoice& method, ResponseRecord record) {
   constexpr double kTimed = 0.3;  // s: shorter curves are followed again
   constexpr int kMost = 5;
-  BranchLimits limits = at.branch_limits(at.limits.timeout);
   double all = 0.0;
   for (int round = 0; round < kMost && (round == 0 || all < kTimed); ++round) {
     const double begin = processor_seconds();
-    static_cast<void>(branches_of(at.varied(), method, limits));
+    static_cast<void>(branches_of(at.varied(), method, at.branch_limits(at.limits.timeout)));
     const double seconds = processor_seconds() - begin;
     all += seconds;
     record.seconds = std::min(record.seconds.value_or(seconds), seconds);
   }
+  CurveLimits limits = at.branch_limits(at.limits.timeout);
   limits.phases = kComparedPhases;
   const BranchDiagram diagram = branches_of(at.varied(), method, limits).value();
   return judged_response(at.exact, curve_of(diagram), range_of(at.response), std::move(record));
@@ -228,7 +221,7 @@ ResponseScene scene_of(const SuiteResponse& response, const Limits& limits) {
   ResponseScene at{.response = response, .scene = std::move(scene), .limits = limits, .identity = identity};
   at.exact_record = blank(response, at.scene);
   at.exact_record.case_id = at.scene.problem.name + "/";
-  at.exact_record.key = sha256(identity + code_version(kFollowedByArcLength));
+  at.exact_record.key = sha256(identity + code_version(exact_method().name));
   return at;
 }
 

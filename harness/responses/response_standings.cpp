@@ -54,7 +54,7 @@ class Sums {
   double covered_ = 0.0, length_ = 0.0, wrong_ = 0.0, right_ = 0.0;
 };
 
-bool is_truth(const ResponseStanding& standing) { return standing.label.starts_with(kFollowedByArcLength); }
+bool is_truth(const ResponseStanding& standing) { return standing.label.starts_with(exact_method().name); }
 
 /// By kResponseRule, of those that `takes` takes; null where none qualifies.
 template <class Takes>

@@ -34,7 +34,7 @@ struct ResponseStanding {
   std::optional<double> seconds = {};                    ///< processor time of all [s]
   std::optional<double> cost = {};                       ///< the same per length within kWideTolerance [s]
   bool recommended = false;                              ///< by kResponseRule
-  bool recommended_otherwise = false;  ///< by the same among methods other than kFollowedByArcLength
+  bool recommended_otherwise = false;  ///< by the same among methods other than exact_method()
 };
 
 /// The responses of scenes of a kind, and the methods that represent the law of one of them at least.

@@ -59,11 +59,11 @@ std::optional<long> status_bytes(const std::string& key) {
 /// One solve and its time, the method's own where it tells one [s].
 double timed_solve(PreparedMethod& prepared, const Start& start, Solution& solution) {
   const double passed = seconds_of([&] { solution = prepared.solve(start); });
-  const auto* clock = dynamic_cast<const OwnClock*>(&prepared);
-  if (clock == nullptr || !clock->last_seconds()) return passed;
+  const std::optional<double> own = prepared.own_times().last;
+  if (!own) return passed;
   // A round lasts until these times add up to it: one that is told too short must not make it endless.
   constexpr double kLeastShare = 0.01;
-  return std::max(*clock->last_seconds(), kLeastShare * passed);
+  return std::max(*own, kLeastShare * passed);
 }
 
 std::optional<long> restart_peak_memory() {
@@ -176,8 +176,7 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   } else {
     const Round round = round_from(first, record.case_id, trial.limits);
     record.seconds = summarise({round.times});
-    if (const auto* clock = dynamic_cast<const OwnClock*>(&first.prepared))
-      record.seconds->exchange = clock->least_exchange();
+    record.seconds->exchange = first.prepared.own_times().least_exchange;
     if (round.latest) count_repeat(*round.latest, record);
   }
 }

@@ -90,16 +90,6 @@ class SolveFailure : public std::runtime_error {
   std::optional<int> signal;  ///< that ended the crashed process
 };
 
-/// Of a prepared method whose solves tell their own time, apart from what it costs to reach it.
-class OwnClock {
- public:
-  virtual ~OwnClock() = default;
-  /// Of the last solve [s]; empty where it told none.
-  [[nodiscard]] virtual std::optional<double> last_seconds() const = 0;
-  /// Least time that passed in a solve beside its own [s]; empty where none told its own.
-  [[nodiscard]] virtual std::optional<double> least_exchange() const = 0;
-};
-
 struct StartPoint {
   std::shared_ptr<const Trajectory> motion = {};  ///< null: cold, at rest
   std::string obstacle = {};                      ///< why there is no motion though one is asked for

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/interrupt.hpp"
 #include "harness/text/words.hpp"
 #include "problems/scene/varied_scene.hpp"
 
@@ -59,29 +59,28 @@ std::vector<std::string> followed_kinds() {
   return names;
 }
 
-BifurcationResponse bifurcation_response(const SceneSource& source, double from, double to,
-                                         const SecondParameter& second, const std::string& kind,
-                                         const BranchLimits& limits) {
-  using Clock = std::chrono::steady_clock;
+BifurcationCurves bifurcation_response(const SceneSource& source, double from, double to,
+                                       const SecondParameter& second, const std::string& kind,
+                                       const MethodChoice& method, const CurveLimits& limits) {
   const SpecialKind followed = followed_kind(kind);
   const ScenePlane plane = plane_of(source, from, to, second);
-  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                        std::chrono::duration<double>(limits.timeout));
-  const BranchDiagram diagram = exact_branches(plane.at(second.from), limits);
-  BifurcationResponse response{.second = second, .unfinished = diagram.unfinished};
-  response.curves = bifurcation_curves(
-      plane, diagram, followed,
-      {.max_points = limits.max_points, .expired = [deadline] { return Clock::now() > deadline; }});
-  return response;
+  require_curve(plane.at(second.from), method);
+  CurveLimits asked = limits;
+  asked.stopped = interrupted;
+  auto curves = method.make()->curve()->follow_bifurcations(plane, followed, asked);
+  if (!curves)
+    throw UsageError(fmt::format("methods = {} (must follow special points over two numbers, as {} does)",
+                                 method.label(), exact_method().name));
+  return *std::move(curves);
 }
 
-nlohmann::ordered_json to_json(const BifurcationResponse& response) {
+nlohmann::ordered_json to_json(const BifurcationCurves& response, const std::string& second) {
   using Json = nlohmann::ordered_json;
   Json curves = Json::array();
   for (const BifurcationCurve& curve : response.curves) {
     Json points = Json::array();
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
-      const BranchPoint& point = curve.points[i];
+      const SolutionPoint& point = curve.points[i];
       Json multipliers = Json::array();
       for (const auto& mu : point.multipliers) multipliers.push_back({mu.real(), mu.imag()});
       points.push_back({{"omega", point.frequency},
@@ -98,20 +97,18 @@ nlohmann::ordered_json to_json(const BifurcationResponse& response) {
                       {"began", curve.began},
                       {"ended", curve.ended}});
   }
-  return {{"parameter", kFrequency},
-          {"second", response.second.place},
-          {"curves", curves},
-          {"unfinished", response.unfinished}};
+  return {
+      {"parameter", kFrequency}, {"second", second}, {"curves", curves}, {"unfinished", response.unfinished}};
 }
 
-Table bifurcation_table(const BifurcationResponse& response) {
+Table bifurcation_table(const BifurcationCurves& response, const std::string& second) {
   Table table;
-  table.header = {"curve",     "kind",          "omega [rad/s]", response.second.place, "order", "impacts",
-                  "x max [m]", "amplitude [m]", "mark"};
+  table.header = {"curve",   "kind",      "omega [rad/s]", second, "order",
+                  "impacts", "x max [m]", "amplitude [m]", "mark"};
   for (std::size_t c = 0; c < response.curves.size(); ++c) {
     const BifurcationCurve& curve = response.curves[c];
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
-      const BranchPoint& point = curve.points[i];
+      const SolutionPoint& point = curve.points[i];
       const bool first = i == 0, last = i + 1 == curve.points.size();
       table.rows.push_back({value_cell(static_cast<double>(c)), describe(curve.kind),
                             value_cell(point.frequency), value_cell(curve.second[i]), value_cell(point.order),

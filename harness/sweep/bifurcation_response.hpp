@@ -1,5 +1,5 @@
 #pragma once
-// Special points of exact orbits as curves over the frequency and a second number of the scene.
+// Special points as curves over the frequency and a second number of the scene.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -7,7 +7,6 @@
 
 #include "harness/sweep/branch_response.hpp"
 #include "harness/table.hpp"
-#include "methods/orbit/bifurcation_curves/bifurcation_curve.hpp"
 
 namespace signorini {
 
@@ -23,24 +22,21 @@ struct SecondParameter {
 std::vector<std::string> followed_kinds();
 
 /// Curves of the special points of a kind, over the frequency from `from` to `to` and a second number, from
-/// each one that `exact_branches` finds at its first value.
-struct BifurcationResponse {
-  SecondParameter second;
-  std::vector<BifurcationCurve> curves = {};
-  std::string unfinished = {};  ///< of the search for their beginnings
-};
-
-/// \param kind  one of followed_kinds. \throws UsageError where the scene cannot be followed, the interval is
-/// none or the place is that of the frequency; SceneError where an end is no scene
-BifurcationResponse bifurcation_response(const SceneSource& source, double from, double to,
-                                         const SecondParameter& second, const std::string& kind,
-                                         const BranchLimits& limits);
+/// each one that the method finds at its first value (CurveMethod::follow_bifurcations).
+/// \param kind  one of followed_kinds. \throws UsageError where the method follows none of these or not this
+/// scene, the interval is none or the place is that of the frequency; SceneError where an end is no scene;
+/// InvalidOption
+BifurcationCurves bifurcation_response(const SceneSource& source, double from, double to,
+                                       const SecondParameter& second, const std::string& kind,
+                                       const MethodChoice& method, const CurveLimits& limits);
 
 /// {"parameter", "second", "curves": [{"kind", "sequence", "points": [{"omega", "second", "order",
 /// "amplitude", "x_max", "impacts", "multipliers"}], "began", "ended"}], "unfinished"}.
-nlohmann::ordered_json to_json(const BifurcationResponse& response);
+/// \param second  its place
+nlohmann::ordered_json to_json(const BifurcationCurves& response, const std::string& second);
 
 /// One row per point, in the order of the curves.
-Table bifurcation_table(const BifurcationResponse& response);
+/// \param second  its place
+Table bifurcation_table(const BifurcationCurves& response, const std::string& second);
 
 }  // namespace signorini

@@ -32,7 +32,7 @@ Json motion_json(const Eigen::MatrixXd& motion) {
   return rows;
 }
 
-void add_point(Json& json, const BranchPoint& point) {
+void add_point(Json& json, const SolutionPoint& point) {
   const bool told = point.stability == OrbitStability::stable || point.stability == OrbitStability::unstable;
   json["omega"] = point.frequency;
   json["order"] = point.order;
@@ -47,7 +47,7 @@ void add_point(Json& json, const BranchPoint& point) {
   if (point.motion.size() > 0) json["motion"] = motion_json(point.motion);
 }
 
-Json point_json(const BranchPoint& point) {
+Json point_json(const SolutionPoint& point) {
   Json json = Json::object();
   add_point(json, point);
   return json;
@@ -93,9 +93,9 @@ Eigen::MatrixXd motion_from_json(const Json& json, std::size_t contacts) {
   return motion;
 }
 
-BranchPoint point_from_json(const Json& json) {
+SolutionPoint point_from_json(const Json& json) {
   constexpr std::size_t kMostPeriods = 1000, kMostImpacts = 1000000000;
-  BranchPoint point;
+  SolutionPoint point;
   point.frequency = number_of_json(json.at("omega"));
   point.parameter = json.contains("value") ? number_of_json(json.at("value")) : point.frequency;
   point.order = static_cast<int>(count_of_json(json, "order", 1, kMostPeriods));
@@ -135,7 +135,7 @@ auto read_plain(const char* what, const Json& json, Read&& read) {
 
 Json to_json(const Branch& branch, const std::string& method) {
   Json points = Json::array(), special = Json::array();
-  for (const BranchPoint& point : branch.points) points.push_back(point_json(point));
+  for (const SolutionPoint& point : branch.points) points.push_back(point_json(point));
   for (const SpecialPoint& at : branch.special) special.push_back(special_json(at));
   return {{"method", method},   {"sequence", branch.sequence}, {"points", points},
           {"special", special}, {"began", branch.began},       {"ended", branch.ended}};

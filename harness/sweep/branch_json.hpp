@@ -1,31 +1,13 @@
 #pragma once
 // Branches and steps of a response as JSON, and back.
 
-#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 
 #include "harness/sweep/frequency_response.hpp"
-#include "methods/options.hpp"
-#include "methods/orbit/continuation/branch.hpp"
+#include "methods/curve.hpp"
 
 namespace signorini {
-
-/// The names in files.
-template <>
-struct EnumNames<SpecialKind> {
-  /// In order.
-  static constexpr std::array<std::string_view, 6> values{
-      "fold", "period-doubling", "neimark-sacker", "branch-point", "grazing", "contact-change"};
-};
-/// The names in files.
-template <>
-struct EnumNames<OrbitStability> {
-  /// In order.
-  static constexpr std::array<std::string_view, 5> values{"stable", "unstable", "elliptic", "undefined",
-                                                          "unknown"};
-};
 
 /// {"method", "sequence", "points", "special", "began", "ended"}. A point is {"omega", "order", "amplitude",
 /// "x_max", "impacts", "stable", "stability", "multipliers"}; amplitude and x_max have an entry per contact;
@@ -38,10 +20,9 @@ nlohmann::ordered_json to_json(const Branch& branch, const std::string& method);
 /// A step of a method: "method" and the keys of to_json(step).
 nlohmann::ordered_json to_json(const SweepPoint& step, const std::string& method);
 
-/// The branch that to_json wrote, of a file that anybody may have written: all but its orbits
-/// (BranchPoint::orbit), which JSON has not; a number that was not finite is NaN. \throws BadRecord unless
-/// counts are whole numbers in the range of what is counted, texts have no control characters, and names are
-/// known
+/// The branch that to_json wrote, of a file that anybody may have written: a number that was not finite is
+/// NaN. \throws BadRecord unless counts are whole numbers in the range of what is counted, texts have no
+/// control characters, and names are known
 Branch branch_from_json(const nlohmann::ordered_json& json);
 
 /// The step that to_json wrote, but for its motion and its time, likewise. \throws BadRecord

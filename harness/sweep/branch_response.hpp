@@ -1,6 +1,6 @@
 #pragma once
-// Branches of a frequency response: by arc length of exact orbits and of methods that follow their own curve,
-// of others by steps of the frequency.
+// Branches of a response: by arc length of methods that follow curves of their own, of others by steps of the
+// frequency.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -9,50 +9,35 @@
 
 #include "harness/sweep/frequency_response.hpp"
 #include "harness/table.hpp"
-#include "methods/orbit/continuation/diagram.hpp"
+#include "methods/curve.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini {
-
-/// The name of the method whose branches are those of exact orbits.
-inline constexpr std::string_view kFollowedByArcLength = "exact-orbit";
-
-/// The place of the parameter that is followed by default.
-inline constexpr std::string_view kFrequency = "forcing.frequency";
-
-/// Limits of a diagram.
-struct BranchLimits {
-  int max_order = 2;            ///< forcing periods per period of an orbit
-  int max_branches = 60;        ///< in all
-  int max_points = 2000;        ///< of one branch
-  double timeout = 60.0;        ///< wall time of all [s]
-  int phases = 0;               ///< of a forcing period at which points keep their motion; 0: they do not
-  std::vector<double> at = {};  ///< values of the parameter at which every branch has points
-  TakeBranch take = {};
-  int searches = 0;  ///< values of the parameter at which exact_branches begins at all orbits of a search
-  double largest_step = CurveOptions{}.largest_step;  ///< of exact orbits, in CurveUnits
-};
-
-/// Every branch of exact orbits that hangs together with the contact-free motions or the answers of
-/// exact-orbit at both ends of an interval of a parameter, with its answers at up to eleven values inside, a
-/// tenth of the time at most, at a rigid stop with an orbit of one impact at one of these, or, where searches
-/// are asked for, with an orbit that `find_all_orbits` finds, in half of the time at most (`trace_diagram`).
-/// \throws UsageError where continuation_obstacle names a reason
-BranchDiagram exact_branches(const ParametrisedScene& scene, const BranchLimits& limits);
 
 /// A scene with the number at a place of its file left free between two values. \throws UsageError unless
 /// these are finite and different, SceneError where they make no scene
 ParametrisedScene over_place(const SceneSource& source, const std::string& place, double from, double to);
 
-/// The branches of a method on its own equations over the frequency (CurveMethod); empty where it has no
-/// curve of its own. \throws UsageError where the method does not apply to the scene at an end of the
-/// interval
-std::optional<BranchDiagram> own_branches(const ParametrisedScene& scene, const MethodChoice& method,
-                                          const BranchLimits& limits);
+/// Whether a method follows curves of its own (Method::curve). \throws InvalidOption
+bool has_curve(const MethodChoice& method);
 
-/// The branches of a method by arc length: exact_branches of exact-orbit, own_branches of any other.
+/// \throws UsageError where a method has no curve of its own over the parameter of the scene, InvalidOption
+void require_curve(const ParametrisedScene& scene, const MethodChoice& method);
+
+/// The branches of a method by arc length; an interrupt ends them early. Empty where it has no curve of its
+/// own. \throws UsageError as require_curve, InvalidOption
 std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const MethodChoice& method,
-                                         const BranchLimits& limits);
+                                         const CurveLimits& limits);
+
+/// Those of exact orbits, by which others are judged: of exact_method() with its defaults. \throws UsageError
+/// as require_curve
+BranchDiagram exact_branches(const ParametrisedScene& scene, const CurveLimits& limits);
+
+/// All orbits that `find_all_orbits` finds at `values` values of the parameter spread over the interval, of
+/// periods up to so many of the load: beginnings of branches that hang together with no other
+/// (CurveLimits::begin_at). None without a periodic load. \param timeout  of all searches [s]
+std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int values, int max_order,
+                                          double timeout);
 
 /// The points of a branch where the parameter has one of several values; special points and ends stay.
 Branch points_at(const Branch& branch, const std::vector<double>& values);

@@ -40,7 +40,7 @@ class ResponseFolder {
   ResponseFolder(const std::filesystem::path& folder, const nlohmann::ordered_json& question,
                  const std::vector<std::string>& command_line, bool resume);
 
-  /// The complete response of a method: branches without their orbits, steps without their motions. Empty
+  /// The complete response of a method: branches, and steps without their motions. Empty
   /// where there is none with this key.
   [[nodiscard]] std::optional<MethodResponse> complete(const std::string& method,
                                                        const std::string& key) const;

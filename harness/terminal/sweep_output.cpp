@@ -14,18 +14,18 @@ constexpr std::size_t kSweepColumns = 80;
 constexpr std::size_t kPointIndent = 32;  // columns of the numbers before the words of a line
 
 /// "     3.855375        1.76251  fold".
-std::string point_line(const BranchPoint& point, const std::string& words) {
+std::string point_line(const SolutionPoint& point, const std::string& words) {
   const double amplitude = point.amplitude.empty() ? 0.0 : *std::ranges::max_element(point.amplitude);
   return named_lines(fmt::format("{:>14.8g}{:>15.6g}", point.parameter, amplitude), kPointIndent, words,
                      kSweepColumns);
 }
 
 /// "all stable", "30 stable, 36 unstable": how many points are what.
-std::string stability_counts(const std::vector<BranchPoint>& points) {
+std::string stability_counts(const std::vector<SolutionPoint>& points) {
   std::string text;
   for (const OrbitStability stability : {OrbitStability::stable, OrbitStability::elliptic,
                                          OrbitStability::unstable, OrbitStability::unknown}) {
-    const auto count = std::ranges::count(points, stability, &BranchPoint::stability);
+    const auto count = std::ranges::count(points, stability, &SolutionPoint::stability);
     if (count == 0) continue;
     const std::string word =
         stability == OrbitStability::unknown ? "of unknown stability" : describe(stability);

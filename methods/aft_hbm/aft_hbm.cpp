@@ -47,9 +47,9 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
   });
 }
 
-BranchDiagram AftHbm::follow(const Problem& problem, double from, double to,
-                             const CurveLimits& limits) const {
-  return series_diagram(problem, from, to, series_method(*this, options_.common, law_at(problem)), limits);
+BranchDiagram AftHbm::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
+  const Problem problem = scene.at(scene.from);
+  return series_diagram(scene, series_method(*this, options_.common, law_at(problem)), limits);
 }
 
 }  // namespace signorini

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/curve_method.hpp"
+#include "methods/curve.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
 
@@ -78,8 +78,13 @@ class AftHbm final : public Method, public CurveMethod {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+  [[nodiscard]] const CurveMethod* curve() const override { return this; }
+  /// Over the frequency of the load.
+  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
+    return follows_frequency(*this, scene);
+  }
   /// Of the equations above (series_diagram).
-  [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
+  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
                                      const CurveLimits& limits) const override;
 
  private:

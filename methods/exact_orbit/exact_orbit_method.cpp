@@ -13,10 +13,12 @@
 #include <vector>
 
 #include "methods/complementarity/projected_law.hpp"
+#include "methods/exact_orbit/exact_diagram.hpp"
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/harmonic_balance/strategy.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
+#include "methods/orbit/bifurcation_curves/bifurcation_curve.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/bases/condensation.hpp"
@@ -319,6 +321,31 @@ RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const { return as_r
 std::unique_ptr<PreparedMethod> ExactOrbitMethod::prepare(const Problem& problem) const {
   if (prefers_reduction(problem)) return std::make_unique<PreparedReducedOrbit>(problem, options_);
   return std::make_unique<PreparedExactOrbit>(problem, options_);
+}
+
+Support ExactOrbitMethod::follows(const ParametrisedScene& scene) const {
+  const std::string obstacle = continuation_obstacle(scene.at(scene.middle()));
+  return {.ok = obstacle.empty(), .reason = obstacle};
+}
+
+BranchDiagram ExactOrbitMethod::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
+  try {
+    return exact_diagram(scene, *this, limits).told();
+  } catch (const std::runtime_error& error) {  // of a structure that cannot be factorised
+    return {.unfinished = error.what()};
+  }
+}
+
+std::optional<BifurcationCurves> ExactOrbitMethod::follow_bifurcations(const ScenePlane& plane,
+                                                                       SpecialKind kind,
+                                                                       const CurveLimits& limits) const {
+  if (!has_curve(kind)) return std::nullopt;
+  try {
+    const OrbitDiagram diagram = exact_diagram(plane.at(plane.from), *this, limits);
+    return BifurcationCurves{bifurcation_curves(plane, diagram, kind, limits), diagram.unfinished};
+  } catch (const std::runtime_error& error) {
+    return BifurcationCurves{.unfinished = error.what()};
+  }
 }
 
 }  // namespace signorini

@@ -1,8 +1,10 @@
 #pragma once
 // Exact periodic orbits from a cold start: pivoting on a coarse grid, then Newton on the closed-form flow.
 
+#include <optional>
 #include <string_view>
 
+#include "methods/curve.hpp"
 #include "methods/method.hpp"
 
 namespace signorini {
@@ -23,7 +25,7 @@ namespace signorini {
 /// corrected to the orbit of all coordinates
 /// (`correct_orbit`); without an error bar for that there is no answer. `samples`, `refinements` and
 /// `restarts` do not matter then.
-class ExactOrbitMethod final : public Method {
+class ExactOrbitMethod final : public Method, public CurveMethod {
  public:
   static constexpr std::string_view kName = "exact-orbit";
   static constexpr std::string_view kTitle = "Coarse pivoting, then Newton on the exact flow between events";
@@ -32,6 +34,7 @@ class ExactOrbitMethod final : public Method {
       "At most 300 coordinates, beyond that only massless contacts or springs with proportional damping. A "
       "coarse solve must show the sequence of events: it may fail near grazing and at many short contacts.";
   static constexpr std::string_view kLadder = "samples=64|256";
+  static constexpr bool kExact = true;  ///< its curves are what others are judged by
   static constexpr std::string_view kStarts = "samples=16|32|128|1024";
 
   struct Options {
@@ -59,6 +62,15 @@ class ExactOrbitMethod final : public Method {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+  [[nodiscard]] const CurveMethod* curve() const override { return this; }
+  /// Over any number of the scene; not where continuation_obstacle names a reason.
+  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override;
+  /// Of exact orbits (exact_diagram).
+  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
+                                     const CurveLimits& limits) const override;
+  /// Of all kinds but branch points (bifurcation_curves).
+  [[nodiscard]] std::optional<BifurcationCurves> follow_bifurcations(
+      const ScenePlane& plane, SpecialKind kind, const CurveLimits& limits) const override;
 
  private:
   Options options_;

@@ -32,9 +32,9 @@ std::unique_ptr<PreparedMethod> FourierLipschitz::prepare(const Problem& problem
   });
 }
 
-BranchDiagram FourierLipschitz::follow(const Problem& problem, double from, double to,
-                                       const CurveLimits& limits) const {
-  return series_diagram(problem, from, to, series_method(*this, options_.common, law_at(problem)), limits);
+BranchDiagram FourierLipschitz::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
+  const Problem problem = scene.at(scene.from);
+  return series_diagram(scene, series_method(*this, options_.common, law_at(problem)), limits);
 }
 
 }  // namespace signorini

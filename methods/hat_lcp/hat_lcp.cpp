@@ -60,9 +60,9 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
   return refined_hat_contact(problem, settings, restitution);
 }
 
-BranchDiagram HatLcp::follow(const Problem& problem, double from, double to,
-                             const CurveLimits& limits) const {
-  HatFamily family = hat_family(problem, from, to);
+BranchDiagram HatLcp::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
+  const Problem problem = scene.at(scene.from);
+  HatFamily family = hat_family(problem, scene.from, scene.to);
   family.samples = first_samples(problem);
   family.scheme = options_.scheme;
   family.restitution = imposed_restitution(problem);
@@ -70,7 +70,8 @@ BranchDiagram HatLcp::follow(const Problem& problem, double from, double to,
   one_grid.samples = family.samples;
   const HatLcp method(one_grid);
   return hat_diagram(
-      family, from, to, [&method](const Problem& scene) { return method.prepare(scene); }, limits);
+      family, scene.from, scene.to, [&method](const Problem& scene) { return method.prepare(scene); },
+      limits);
 }
 
 }  // namespace signorini

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/curve_method.hpp"
+#include "methods/curve.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/method.hpp"
 
@@ -80,8 +80,13 @@ class HatLcp final : public Method, public CurveMethod {
   [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
+  [[nodiscard]] const CurveMethod* curve() const override { return this; }
+  /// Over the frequency of the load.
+  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
+    return follows_frequency(*this, scene);
+  }
   /// Of one grid, the one asked for or the first (hat_diagram).
-  [[nodiscard]] BranchDiagram follow(const Problem& problem, double from, double to,
+  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
                                      const CurveLimits& limits) const override;
 
  private:

@@ -15,7 +15,9 @@
 #include "harness/plan/plan.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "methods/continuation/arc_length.hpp"
+#include "methods/orbit/continuation/curve.hpp"
 #include "methods/orbit/continuation/one_impact_orbits.hpp"
+#include "methods/orbit/family/extended_equations.hpp"
 #include "problems/assembly/chain.hpp"
 
 namespace signorini {
@@ -48,15 +50,14 @@ struct Response {
 
 void by_arc_length(const Response& response, const ParametrisedScene& scene) {
   BranchDiagram diagram;
-  const double all = seconds_of(
-      [&] { diagram = exact_branches(scene, {.max_branches = response.branches, .timeout = 300.0}); });
+  const double all =
+      seconds_of([&] { diagram = exact_branches(scene, {.max_branches = response.branches}); });
   // No branch at all: what is left is the search for their beginnings.
-  const double search =
-      seconds_of([&] { (void)exact_branches(scene, {.max_branches = 0, .timeout = 300.0}); });
+  const double search = seconds_of([&] { (void)exact_branches(scene, {.max_branches = 0}); });
   long points = 0, unstable = 0;
   for (const Branch& branch : diagram.branches) {
     points += static_cast<long>(branch.points.size());
-    unstable += std::count_if(branch.points.begin(), branch.points.end(), [](const BranchPoint& point) {
+    unstable += std::count_if(branch.points.begin(), branch.points.end(), [](const SolutionPoint& point) {
       return point.stability != OrbitStability::stable;
     });
   }
@@ -72,7 +73,7 @@ void by_steps(const Response& response, const Scene& scene) {
   constexpr int kSteps = 200;
   std::vector<SweepPoint> steps;
   const double time = seconds_of([&] {
-    steps = frequency_response(scene, {&find_method(kFollowedByArcLength), {}},
+    steps = frequency_response(scene, {&exact_method(), {}},
                                {.from = response.from, .to = response.to, .points = kSteps},
                                {.timeout = 30.0, .certified = true});
   });
@@ -114,7 +115,7 @@ double time_of_point(int masses, int times) {
     time += seconds_of([&] {
       for (const double sign : {1.0, -1.0})
         points += trace_curve(family, {.orbit = orbit, .tangent = sign * tangent, .origin = "here"},
-                              {.largest_step = 0.02, .max_points = 100})
+                              {.max_points = 100, .step_share = 0.02 / kLongestStep})
                       .branch.points.size();
     });
   }

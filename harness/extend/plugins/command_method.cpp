@@ -41,7 +41,7 @@ OptionValue parse_value(const CommandOption& option, const std::string& text) {
 }
 
 /// One scene, its request written.
-class PreparedCommand final : public PreparedMethod, public OwnClock {
+class PreparedCommand final : public PreparedMethod {
  public:
   PreparedCommand(const CommandDescription& description, const Problem& problem,
                   const std::vector<OptionEcho>& options)
@@ -55,20 +55,20 @@ class PreparedCommand final : public PreparedMethod, public OwnClock {
     const auto begin = std::chrono::steady_clock::now();
     CommandAnswer answer = ask(start);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    last_seconds_ = answer.seconds;
-    if (!last_seconds_) return std::move(answer.solution);
-    if (*last_seconds_ > passed.count()) {
+    times_.last = answer.seconds;
+    if (!times_.last) return std::move(answer.solution);
+    if (*times_.last > passed.count()) {
       throw SolveFailure(
           Status::invalid_output,
           fmt::format("the command's answer: seconds = {} (must be at most the {:.6g} s that passed)",
-                      *last_seconds_, passed.count()));
+                      *times_.last, passed.count()));
     }
-    least_exchange_ = std::min(least_exchange_.value_or(passed.count()), passed.count() - *last_seconds_);
+    times_.least_exchange =
+        std::min(times_.least_exchange.value_or(passed.count()), passed.count() - *times_.last);
     return std::move(answer.solution);
   }
 
-  [[nodiscard]] std::optional<double> last_seconds() const override { return last_seconds_; }
-  [[nodiscard]] std::optional<double> least_exchange() const override { return least_exchange_; }
+  [[nodiscard]] OwnTimes own_times() const override { return times_; }
 
  private:
   CommandAnswer ask(const Start& start) {
@@ -91,7 +91,7 @@ class PreparedCommand final : public PreparedMethod, public OwnClock {
   double period_;
   nlohmann::ordered_json request_;
   std::unique_ptr<CommandSession> session_;  ///< null: started for each solve
-  std::optional<double> last_seconds_, least_exchange_;
+  OwnTimes times_;
 };
 
 /// Runs the command once for each solve, or once for all of a prepared scene, in a process group of its own

@@ -89,16 +89,10 @@ class SeriesDiagram {
       diagram_.unfinished = fmt::format("limit of {} branches", limits_.max_branches);
       return;
     }
-    TracedSeries traced =
-        trace_series(family_, start,
-                     {.max_points = limits_.max_points,
-                      .doublings = allowed(2 * start.multiple),
-                      .phases = limits_.phases,
-                      .at = limits_.at,
-                      .known = [&](const Eigen::VectorXd& x,
-                                   std::size_t intervals) { return known(start.multiple, x, intervals); },
-                      .deadline = limits_.deadline});
-    if (std::chrono::steady_clock::now() > limits_.deadline) diagram_.unfinished = "the time is up";
+    TracedSeries traced = trace_series(
+        family_, start, limits_, allowed(2 * start.multiple),
+        [&](const Eigen::VectorXd& x, std::size_t intervals) { return known(start.multiple, x, intervals); });
+    if (limits_.expired()) diagram_.unfinished = "the time is up";
     if (!traced.rejected.empty()) {
       diagram_.notes.push_back(fmt::format("{}: {}", start.origin, traced.rejected));
       return;
@@ -148,8 +142,10 @@ class SeriesDiagram {
 
 }  // namespace
 
-BranchDiagram series_diagram(const Problem& problem, double from, double to, const SeriesMethod& method,
+BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod& method,
                              const CurveLimits& limits) {
+  const double from = scene.from, to = scene.to;
+  const Problem problem = scene.at(from);
   if (problem.contact_count() == 0) return {.unfinished = "the scene has no contact"};
   SeriesFamily family = series_family(problem, from, to);
   family.harmonics = method.options.first_harmonics(problem);

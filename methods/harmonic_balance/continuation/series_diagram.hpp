@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "methods/curve_method.hpp"
+#include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/series_tracer.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
@@ -27,7 +27,9 @@ struct SeriesMethod {
 ///
 /// Impacts stay as the series has them: folds and doublings are off by O(1/H). Motions of k periods have k
 /// times the harmonics.
-BranchDiagram series_diagram(const Problem& problem, double from, double to, const SeriesMethod& method,
+///
+/// \param scene  over the frequency of its load
+BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod& method,
                              const CurveLimits& limits);
 
 /// A method of harmonic balance as its curves need it; refers to the method.

@@ -113,7 +113,8 @@ class StepSearch {
 
   void add(double length, SpecialKind kind, std::string text) {
     found_.emplace_back(
-        length, SpecialPoint{.kind = kind, .point = branch_point(curve_.series()), .text = std::move(text)});
+        length,
+        SpecialPoint{.kind = kind, .point = solution_point(curve_.series()), .text = std::move(text)});
   }
 
   DepthCurve& curve_;

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/depth_curve.hpp"
 #include "methods/harmonic_balance/continuation/series_switching.hpp"
-#include "methods/orbit/continuation/branch.hpp"
 
 namespace signorini {
 

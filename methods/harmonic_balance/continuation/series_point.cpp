@@ -127,11 +127,11 @@ std::pair<double, double> extremes_of(const Eigen::VectorXcd& y) {
   return {least, largest};
 }
 
-BranchPoint branch_point(const SeriesCurve& curve) {
-  BranchPoint point{.parameter = curve.frequency(),
-                    .frequency = curve.frequency(),
-                    .order = curve.order(),
-                    .impacts = phases_of_contact(curve)};
+SolutionPoint solution_point(const SeriesCurve& curve) {
+  SolutionPoint point{.parameter = curve.frequency(),
+                      .frequency = curve.frequency(),
+                      .order = curve.order(),
+                      .impacts = phases_of_contact(curve)};
   for (Eigen::Index c = 0; c < curve.motion().cols(); ++c) {
     const auto [least, largest] = extremes_of(curve.motion().col(c));
     point.x_max.push_back(largest);

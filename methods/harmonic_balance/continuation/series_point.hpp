@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/series_curve.hpp"
-#include "methods/orbit/continuation/branch.hpp"
 
 namespace signorini {
 
@@ -23,6 +23,6 @@ inline constexpr int kMostForMultipliers = 64;
 /// alpha), those of the piecewise linear system whose spring is in place while the series presses. The
 /// Lipschitz form of a rigid stop has no such system: its stability is unknown, as it is for structures of
 /// more than kMostForMultipliers coordinates or with coordinates without mass.
-BranchPoint branch_point(const SeriesCurve& curve);
+SolutionPoint solution_point(const SeriesCurve& curve);
 
 }  // namespace signorini

@@ -20,7 +20,7 @@ std::optional<double> length_to(DepthCurve& curve, const CurveStep& step, double
 
 bool SeriesSteps::begin(const SeriesStart& start) {
   if (!series_.evaluate(start.x)) return false;
-  here_ = series_station(curve_, start.tangent.normalized(), options_.doublings);
+  here_ = series_station(curve_, start.tangent.normalized(), doublings_);
   if (start.crossed.size() == 0) return true;
   // In the plane of both branches along the direction in which the one that is left stands still: in z, whose
   // lengths differ from those of x.
@@ -56,7 +56,8 @@ bool SeriesSteps::take(SeriesStep step) {
   curve_.follow(step.next.depths);
   if (!curve_.evaluate(step.next.z)) return false;
   here_ = std::move(step.next);
-  length_ = std::max(next_step(length_, step.iterations - 1, step.turn, options_.largest_step), planned_);
+  length_ = std::max(next_step(length_, step.iterations - 1, step.turn, limits_.step_share * kLongestStep),
+                     planned_);
   planned_ = 0.0;
   if (step.beginning) turn_along_depths(*step.beginning);
   return true;
@@ -145,7 +146,7 @@ bool SeriesSteps::shorten_to(double frequency) {
 // The first of the frequencies at which the curve is to have a point between the last point and here.
 std::optional<double> SeriesSteps::value_passed() const {
   const double before = here_.x[series_.size()] * series_.family().frequency_unit;
-  return first_passed(options_.at, before, curve_.frequency());
+  return first_passed(limits_.at, before, curve_.frequency());
 }
 
 // A branch of few unknown changes, as without contact, still has neighbours for points.
@@ -160,7 +161,7 @@ std::optional<SeriesStep> SeriesSteps::arrive(int iterations) {
   SeriesStep step{.next = {}, .length = length_, .iterations = iterations};
   const auto slope = next_slope(step.turn);
   if (!slope || moves_too_far()) return std::nullopt;
-  step.next = series_station(curve_, *slope, options_.doublings);
+  step.next = series_station(curve_, *slope, doublings_);
   return step;
 }
 
@@ -248,7 +249,7 @@ void SeriesSteps::turn_along_depths(const ContactDepth& first) {
   curve_.follow(here_.depths);
   here_.z = curve_.with_depths(here_.x, w);
   here_.tangent = curve_.with_depths(Eigen::VectorXd::Zero(here_.x.size()), rates).normalized();
-  length_ = options_.first_step;
+  length_ = kFirstStep;
 }
 
 }  // namespace signorini

@@ -8,26 +8,10 @@
 #include <vector>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/series_events.hpp"
 
 namespace signorini {
-
-/// How far and how finely a curve is followed. Lengths are in the units of DepthCurve.
-struct SeriesCurveOptions {
-  double first_step = 0.01;     ///< length of the first step, and of the first where a contact begins
-  double largest_step = 0.1;    ///< and of any
-  double smallest_step = 1e-6;  ///< below, the curve has broken
-  double largest_motion = 60;   ///< |x| beyond which a branch counts as unbounded
-  int max_points = 2000;        ///< per branch
-  bool doublings = true;        ///< look for motions of twice the period
-  int phases = 0;               ///< of a forcing period at which the points keep their motion
-  std::vector<double> at = {};  ///< frequencies at which the curve has points [rad/s]
-  /// Whether unknowns, with so many intervals of contact, lie on a branch followed before, which ends the
-  /// curve.
-  std::function<bool(const Eigen::VectorXd& x, std::size_t intervals)> known = {};
-  /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
-};
 
 /// A step that may be taken.
 struct SeriesStep {
@@ -49,9 +33,10 @@ struct SeriesStep {
 /// which it is open. With a sampled contact integral, which is not smooth, no depths are followed.
 class SeriesSteps {
  public:
-  /// \param family, options  kept by the caller \throws as SeriesCurve
-  SeriesSteps(const SeriesFamily& family, int multiple, const SeriesCurveOptions& options)
-      : options_(options), curve_(family, multiple), series_(curve_.series()), length_(options.first_step) {}
+  /// \param family, limits  kept by the caller
+  /// \param doublings  whether motions of twice the period are looked for \throws as SeriesCurve
+  SeriesSteps(const SeriesFamily& family, int multiple, const CurveLimits& limits, bool doublings)
+      : limits_(limits), doublings_(doublings), curve_(family, multiple), series_(curve_.series()) {}
 
   /// Goes to a start. False where the structure resonates undamped.
   bool begin(const SeriesStart& start);
@@ -90,12 +75,17 @@ class SeriesSteps {
   std::optional<SeriesStep> begin_contact(const NascentContact& nascent, double distance);
   void turn_along_depths(const ContactDepth& first);
 
-  const SeriesCurveOptions& options_;
+  /// Lengths of the first step, also of the first where a contact begins, and of the longest, in the units of
+  /// DepthCurve.
+  static constexpr double kFirstStep = 0.01, kLongestStep = 0.1;
+
+  const CurveLimits& limits_;
+  bool doublings_;
   DepthCurve curve_;
   SeriesCurve& series_;  // of curve_
   SeriesStation here_;
-  double length_, planned_ = 0.0;        // the latter of a step that ended at a frequency asked for
-  std::optional<ContactDepth> ceasing_;  // at the end of the step at hand
+  double length_ = kFirstStep, planned_ = 0.0;  // the latter of a step that ended at a frequency asked for
+  std::optional<ContactDepth> ceasing_;         // at the end of the step at hand
   bool outside_ = false;
 };
 

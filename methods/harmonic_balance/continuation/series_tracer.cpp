@@ -27,8 +27,13 @@ std::vector<int> prime_factors(int n) {
 
 class SeriesTracer {
  public:
-  SeriesTracer(const SeriesFamily& family, const SeriesStart& start, const SeriesCurveOptions& options)
-      : start_(start), options_(options), steps_(family, start.multiple, options), series_(steps_.series()) {}
+  SeriesTracer(const SeriesFamily& family, const SeriesStart& start, const CurveLimits& limits,
+               bool doublings, const KnownSeries& known)
+      : start_(start),
+        limits_(limits),
+        known_(known),
+        steps_(family, start.multiple, limits, doublings),
+        series_(steps_.series()) {}
 
   TracedSeries run() {
     result_.multiple = start_.multiple;
@@ -47,9 +52,8 @@ class SeriesTracer {
   [[nodiscard]] const SeriesStation& here() const { return steps_.here(); }
 
   void append() {
-    BranchPoint point = branch_point(series_);
-    if (options_.phases > 0)
-      point.motion = sample_series(series_.motion(), options_.phases * series_.order());
+    SolutionPoint point = solution_point(series_);
+    if (limits_.phases > 0) point.motion = sample_series(series_.motion(), limits_.phases * series_.order());
     result_.branch.points.push_back(std::move(point));
     result_.points.x.push_back(here().x);
     result_.points.tangents.push_back(here().slope);
@@ -68,8 +72,9 @@ class SeriesTracer {
 
   // One attempt at a step: taken, or shortened.
   void advance() {
-    if (std::chrono::steady_clock::now() > options_.deadline) return finish("the time is up");
-    if (steps_.length() < options_.smallest_step) {
+    constexpr double kShortest = 1e-6;  // below, the curve has broken
+    if (limits_.expired()) return finish("the time is up");
+    if (steps_.length() < kShortest) {
       const double frequency = here().x[series_.size()] * series_.family().frequency_unit;
       return finish(fmt::format("the curve breaks at {:.10g} rad/s", frequency));
     }
@@ -120,10 +125,10 @@ class SeriesTracer {
   void accept(SeriesStep step) {
     if (!steps_.take(std::move(step))) return finish("the structure resonates undamped");
     append();
-    if (here().x.head(series_.size()).norm() > options_.largest_motion)
-      return finish("the motion grows without bound");
-    if (static_cast<int>(result_.points.x.size()) >= options_.max_points)
-      return finish(fmt::format("limit of {} points", options_.max_points));
+    constexpr double kUnbounded = 60.0;  // of |x|
+    if (here().x.head(series_.size()).norm() > kUnbounded) return finish("the motion grows without bound");
+    if (static_cast<int>(result_.points.x.size()) >= limits_.max_points)
+      return finish(fmt::format("limit of {} points", limits_.max_points));
     meets();
   }
 
@@ -136,12 +141,13 @@ class SeriesTracer {
         return finish("the branch meets itself");
     }
     constexpr std::size_t kLeft = 10;  // points, after which a branch has left the one on which it began
-    if (result_.points.x.size() > kLeft && options_.known && options_.known(here().x, intervals()))
+    if (result_.points.x.size() > kLeft && known_(here().x, intervals()))
       finish("the branch meets one that was followed before");
   }
 
   const SeriesStart& start_;
-  const SeriesCurveOptions& options_;
+  const CurveLimits& limits_;
+  const KnownSeries& known_;
   SeriesSteps steps_;
   SeriesCurve& series_;  // of the steps
   bool done_ = false;
@@ -150,9 +156,9 @@ class SeriesTracer {
 
 }  // namespace
 
-TracedSeries trace_series(const SeriesFamily& family, const SeriesStart& start,
-                          const SeriesCurveOptions& options) {
-  return SeriesTracer(family, start, options).run();
+TracedSeries trace_series(const SeriesFamily& family, const SeriesStart& start, const CurveLimits& limits,
+                          bool doublings, const KnownSeries& known) {
+  return SeriesTracer(family, start, limits, doublings, known).run();
 }
 
 }  // namespace signorini

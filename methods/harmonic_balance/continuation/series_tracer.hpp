@@ -2,14 +2,19 @@
 // Follows one curve of harmonic balance by arc length.
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "methods/continuation/curve_points.hpp"
+#include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/series_steps.hpp"
-#include "methods/orbit/continuation/branch.hpp"
 
 namespace signorini {
+
+/// Whether unknowns, with so many intervals of contact, lie on a branch followed before.
+using KnownSeries = std::function<bool(const Eigen::VectorXd& x, std::size_t intervals)>;
 
 /// A branch, its unknowns, and the starts of others.
 struct TracedSeries {
@@ -30,7 +35,10 @@ struct TracedSeries {
 ///
 /// Where steps fall below the smallest the branch has broken: `ended` says at which frequency. A motion of
 /// several periods ends where it becomes one of a smaller period.
-TracedSeries trace_series(const SeriesFamily& family, const SeriesStart& start,
-                          const SeriesCurveOptions& options);
+///
+/// \param doublings  whether these are looked for
+/// \param known      may end the curve
+TracedSeries trace_series(const SeriesFamily& family, const SeriesStart& start, const CurveLimits& limits,
+                          bool doublings, const KnownSeries& known);
 
 }  // namespace signorini

@@ -88,14 +88,9 @@ class HatDiagram {
       diagram_.unfinished = fmt::format("limit of {} branches", limits_.max_branches);
       return;
     }
-    TracedHat traced =
-        trace_hat(family_, start,
-                  {.max_points = limits_.max_points,
-                   .phases = limits_.phases,
-                   .at = limits_.at,
-                   .known = [&](const Eigen::VectorXd& all) { return known(start.multiple, all); },
-                   .deadline = limits_.deadline});
-    if (std::chrono::steady_clock::now() > limits_.deadline) diagram_.unfinished = "the time is up";
+    TracedHat traced = trace_hat(family_, start, limits_,
+                                 [&](const Eigen::VectorXd& all) { return known(start.multiple, all); });
+    if (limits_.expired()) diagram_.unfinished = "the time is up";
     if (traced.branch.points.size() < 2) {
       diagram_.notes.push_back(fmt::format("{}: {}", start.origin, traced.branch.ended));
       return;

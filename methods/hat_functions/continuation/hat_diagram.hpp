@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "methods/curve_method.hpp"
+#include "methods/curve.hpp"
 #include "methods/hat_functions/continuation/hat_tracer.hpp"
 #include "methods/method.hpp"
 

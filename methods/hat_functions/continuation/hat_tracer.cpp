@@ -30,12 +30,12 @@ int phases_of(const HatCurve& curve) {
   return phases;
 }
 
-BranchPoint point_of(const HatCurve& curve) {
-  BranchPoint point{.parameter = curve.frequency(),
-                    .frequency = curve.frequency(),
-                    .order = curve.order(),
-                    .impacts = phases_of(curve),
-                    .stability = OrbitStability::unknown};
+SolutionPoint point_of(const HatCurve& curve) {
+  SolutionPoint point{.parameter = curve.frequency(),
+                      .frequency = curve.frequency(),
+                      .order = curve.order(),
+                      .impacts = phases_of(curve),
+                      .stability = OrbitStability::unknown};
   const Eigen::MatrixXd x = curve.motion();
   for (Eigen::Index c = 0; c < x.cols(); ++c) {
     point.x_max.push_back(x.col(c).maxCoeff());
@@ -125,11 +125,8 @@ std::optional<NodeChange> first_change(HatCurve& curve, const CurveStep& step, i
 
 class HatTracer {
  public:
-  HatTracer(const HatFamily& family, const HatStart& start, const HatCurveOptions& options)
-      : options_(options),
-        curve_(family, start.multiple),
-        tangent_(start.tangent),
-        step_(options.first_step) {
+  HatTracer(const HatFamily& family, const HatStart& start, const CurveLimits& limits, const KnownHat& known)
+      : limits_(limits), known_(known), curve_(family, start.multiple), tangent_(start.tangent) {
     curve_.press(start.pressing);
     result_.multiple = start.multiple;
     result_.branch.sequence = fmt::format("order {}, {} nodes", curve_.order(), curve_.samples());
@@ -147,9 +144,8 @@ class HatTracer {
  private:
   void append() {
     motion_ = curve_.motion();
-    BranchPoint point = point_of(curve_);
-    if (options_.phases > 0)
-      point.motion = resampled(motion_, Eigen::Index{options_.phases} * curve_.order());
+    SolutionPoint point = point_of(curve_);
+    if (limits_.phases > 0) point.motion = resampled(motion_, Eigen::Index{limits_.phases} * curve_.order());
     result_.branch.points.push_back(std::move(point));
     result_.points.x.push_back(curve_.on_all(x_));
     result_.points.tangents.push_back(curve_.on_all(tangent_));
@@ -171,8 +167,9 @@ class HatTracer {
 
   void advance() {
     constexpr double kTurned = 0.35, kFar = 2.0;  // rad; of the step
-    if (std::chrono::steady_clock::now() > options_.deadline) return finish("the time is up");
-    if (step_ < options_.smallest_step) return broken();
+    constexpr double kShortest = 1e-7;            // below, the curve has broken
+    if (limits_.expired()) return finish("the time is up");
+    if (step_ < kShortest) return broken();
     const auto iterations = correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_);
     if (!iterations || (curve_.x() - x_).norm() > kFar * step_) return shorten(0.4);
     bool beyond = curve_.frequency() < curve_.family().low || curve_.frequency() > curve_.family().high;
@@ -230,9 +227,9 @@ class HatTracer {
 
   // Up to the first of the frequencies at which the curve is to have a point.
   std::optional<double> length_to_value() {
-    if (options_.at.empty() || !correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_))
+    if (limits_.at.empty() || !correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_))
       return std::nullopt;
-    const auto value = first_passed(options_.at, curve_frequency(), curve_.frequency());
+    const auto value = first_passed(limits_.at, curve_frequency(), curve_.frequency());
     return value ? length_to(*value) : std::nullopt;
   }
 
@@ -257,17 +254,18 @@ class HatTracer {
     if (length > kNone * step_) {
       append();
       just_changed_ = -1;
-      if (length == step_) step_ = next_step(step_, iterations, turn, options_.largest_step);
+      if (length == step_) step_ = next_step(step_, iterations, turn, limits_.step_share * kLongestStep);
     }
-    if (static_cast<int>(result_.points.x.size()) >= options_.max_points)
-      finish(fmt::format("limit of {} points", options_.max_points));
+    if (static_cast<int>(result_.points.x.size()) >= limits_.max_points)
+      finish(fmt::format("limit of {} points", limits_.max_points));
   }
 
   // One node joins the pressing ones or leaves them.
   void change_set(const NodeChange& change) {
     if (done_) return;
-    if (++changes_ > options_.max_changes)
-      return finish(fmt::format("limit of {} changes of the pressing nodes", options_.max_changes));
+    constexpr int kMostChanges = 20000;
+    if (++changes_ > kMostChanges)
+      return finish(fmt::format("limit of {} changes of the pressing nodes", kMostChanges));
     const Eigen::VectorXd all = curve_.on_all(x_), before = curve_.on_all(tangent_);
     std::vector<int> pressing = curve_.pressing();
     const bool was_free = pressing.empty();
@@ -306,17 +304,20 @@ class HatTracer {
     if (done_) return;
     const Eigen::VectorXd& here = result_.points.x.back();
     if (result_.points.passed_before(here, kRounding)) return finish("the branch meets itself");
-    if (result_.points.x.size() > kLeft && options_.known && options_.known(here))
+    if (result_.points.x.size() > kLeft && known_(here))
       finish("the branch meets one that was followed before");
   }
 
   static constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
 
-  const HatCurveOptions& options_;
+  static constexpr double kFirstStep = 0.01, kLongestStep = 0.1;  // in the units of HatCurve
+
+  const CurveLimits& limits_;
+  const KnownHat& known_;
   HatCurve curve_;
   Eigen::VectorXd x_, tangent_;
   Eigen::MatrixXd motion_;
-  double step_;
+  double step_ = kFirstStep;
   int just_changed_ = -1, changes_ = 0;
   bool done_ = false;
   TracedHat result_;
@@ -335,8 +336,9 @@ std::optional<Eigen::VectorXd> tangent_after_change(HatCurve& curve, int changed
   return rate > 0.0 ? tangent : Eigen::VectorXd(-tangent);
 }
 
-TracedHat trace_hat(const HatFamily& family, const HatStart& start, const HatCurveOptions& options) {
-  return HatTracer(family, start, options).run();
+TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
+                    const KnownHat& known) {
+  return HatTracer(family, start, limits, known).run();
 }
 
 }  // namespace signorini

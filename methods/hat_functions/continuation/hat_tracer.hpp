@@ -2,31 +2,18 @@
 // Follows one curve of the contact condition on hat functions, from one set of pressing nodes to the next.
 
 #include <Eigen/Core>
-#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "methods/continuation/curve_points.hpp"
+#include "methods/curve.hpp"
 #include "methods/hat_functions/continuation/hat_curve.hpp"
-#include "methods/orbit/continuation/branch.hpp"
 
 namespace signorini {
 
-/// How far and how finely a curve is followed. Lengths are in the units of HatCurve.
-struct HatCurveOptions {
-  double first_step = 0.01;     ///< length of the first step
-  double largest_step = 0.1;    ///< and of any
-  double smallest_step = 1e-7;  ///< below, the curve has broken
-  int max_points = 2000;        ///< per branch
-  int max_changes = 20000;      ///< of the set of pressing nodes, per branch
-  int phases = 0;               ///< of a forcing period at which the points keep their motion
-  std::vector<double> at = {};  ///< frequencies at which the curve has points [rad/s]
-  /// Whether unknowns of all nodes lie on a branch followed before, which ends the curve.
-  std::function<bool(const Eigen::VectorXd& all)> known = {};
-  /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
-};
+/// Whether unknowns of all nodes lie on a branch followed before.
+using KnownHat = std::function<bool(const Eigen::VectorXd& all)>;
 
 /// Where a curve begins and where it goes.
 struct HatStart {
@@ -54,7 +41,10 @@ struct TracedHat {
 ///
 /// On rigid stops that carry mass the phase of an impact is that of a node: a branch is a staircase whose
 /// steps are of the size of the grid's, with folds that are those of the grid.
-TracedHat trace_hat(const HatFamily& family, const HatStart& start, const HatCurveOptions& options);
+///
+/// \param known  may end the curve
+TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
+                    const KnownHat& known);
 
 /// The tangent of the curve of S where it is evaluated, on the side where a gap opens or a pressure grows.
 /// \param changed  a node that has joined S, or left it

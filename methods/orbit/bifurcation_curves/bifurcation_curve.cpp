@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "methods/orbit/bifurcation_curves/special_equations.hpp"
+#include "methods/orbit/continuation/curve.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 
@@ -31,11 +32,11 @@ std::optional<OrbitGuard> vanishing_guard(const ExtendedEquations& equations) {
 
 class BifurcationCurveTracer {
  public:
-  BifurcationCurveTracer(const ScenePlane& plane, const SpecialPoint& start,
-                         const BifurcationCurveOptions& options)
-      : plane_(plane), options_(options), step_(options.first_step) {
+  BifurcationCurveTracer(const ScenePlane& plane, const SpecialPoint& start, const OrbitGuess& orbit,
+                         const CurveLimits& limits)
+      : plane_(plane), limits_(limits) {
     result_.kind = start.kind;
-    begin(start);
+    begin(start, orbit);
   }
 
   BifurcationCurve run() {
@@ -50,11 +51,11 @@ class BifurcationCurveTracer {
   }
   void shorten(double factor) { step_ *= factor; }
 
-  void begin(const SpecialPoint& start) {
-    const BranchPoint& at = start.point;
+  void begin(const SpecialPoint& start, const OrbitGuess& known) {
+    const SolutionPoint& at = start.point;
     const auto family = plane_.family(plane_.scene().from);
     const SequencedOrbit given =
-        sequenced(*family, at.orbit, kTwoPi * at.order / at.frequency, at.frequency, at.parameter);
+        sequenced(*family, known, kTwoPi * at.order / at.frequency, at.frequency, at.parameter);
     const auto orbit = with_quiet_section(*family, given);
     if (!orbit) return finish("the start cannot be evaluated");
     result_.sequence = describe_sequence(*orbit);
@@ -90,7 +91,7 @@ class BifurcationCurveTracer {
 
   void append() {
     const Station station = station_at(special_->orbits(), special_->reference());
-    result_.points.push_back(branch_point(special_->orbits(), station));
+    result_.points.push_back(solution_point(special_->orbits(), station));
     result_.second.push_back(special_->second());
   }
 
@@ -98,8 +99,9 @@ class BifurcationCurveTracer {
 
   void advance() {
     constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
-    if (options_.expired && options_.expired()) return finish("the time is up");
-    if (step_ < options_.smallest_step) return finish("the corrector fails");
+    constexpr double kShortest = 1e-7;               // below, the curve ends
+    if (limits_.expired()) return finish("the time is up");
+    if (step_ < kShortest) return finish("the corrector fails");
     const auto iterations = correct(*special_, x_ + step_ * tangent_, tangent_, kLimits);
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(special_->orbits().orbit()) <= 0.0) return shorten(0.5);
@@ -112,9 +114,9 @@ class BifurcationCurveTracer {
     tangent_ = *tangent;
     append();
     special_->take_reference();
-    step_ = next_step(step_, *iterations, turn, options_.largest_step);
-    if (static_cast<int>(result_.points.size()) >= options_.max_points)
-      return finish(fmt::format("limit of {} points", options_.max_points));
+    step_ = next_step(step_, *iterations, turn, limits_.step_share * kLongestStep);
+    if (static_cast<int>(result_.points.size()) >= limits_.max_points)
+      return finish(fmt::format("limit of {} points", limits_.max_points));
     keep_section_clear();
     if (!done_ && !special_->rescale()) finish("its test function has no derivative there");
   }
@@ -184,8 +186,8 @@ class BifurcationCurveTracer {
   static constexpr CorrectorLimits kLimits{.iterations = 10, .tolerance = 1e-12};
 
   OrbitPlane plane_;
-  const BifurcationCurveOptions& options_;
-  double step_;
+  const CurveLimits& limits_;
+  double step_ = 0.01;  // the first one
   bool done_ = false;
   std::unique_ptr<SpecialEquations> special_;
   Eigen::VectorXd x_, tangent_;
@@ -193,7 +195,7 @@ class BifurcationCurveTracer {
 };
 
 // Whether two points are one motion.
-bool one_motion(const BranchPoint& a, const BranchPoint& b) {
+bool one_motion(const SolutionPoint& a, const SolutionPoint& b) {
   constexpr double kSame = 1e-6;
   const auto near = [](double x, double y) { return std::abs(x - y) <= kSame * std::abs(x + y); };
   return near(a.parameter, b.parameter) &&
@@ -206,32 +208,36 @@ bool one_motion(const BranchPoint& a, const BranchPoint& b) {
 bool has_curve(SpecialKind kind) { return kind != SpecialKind::branch_point; }
 
 BifurcationCurve trace_bifurcation_curve(const ScenePlane& plane, const SpecialPoint& start,
-                                         const BifurcationCurveOptions& options) {
-  return BifurcationCurveTracer(plane, start, options).run();
+                                         const OrbitGuess& orbit, const CurveLimits& limits) {
+  return BifurcationCurveTracer(plane, start, orbit, limits).run();
 }
 
-std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const BranchDiagram& diagram,
-                                                 SpecialKind kind, const BifurcationCurveOptions& options) {
+std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const OrbitDiagram& diagram,
+                                                 SpecialKind kind, const CurveLimits& limits) {
   if (!has_curve(kind)) throw std::invalid_argument("branch points have no curve in two parameters");
-  std::vector<SpecialPoint> starts;
-  for (const Branch& branch : diagram.branches) {
-    for (const SpecialPoint& special : branch.special) {
-      if (special.kind == kind) starts.push_back(special);
+  struct Begin {
+    const SpecialPoint* special;
+    const OrbitGuess* orbit;
+    [[nodiscard]] auto rank() const { return std::pair(special->point.order, orbit->events.size()); }
+  };
+  std::vector<Begin> starts;
+  for (const OrbitBranch& branch : diagram.branches) {
+    for (std::size_t i = 0; i < branch.special.size(); ++i) {
+      if (branch.special[i].kind == kind) starts.push_back({&branch.special[i], &branch.special_orbits[i]});
     }
   }
-  std::stable_sort(starts.begin(), starts.end(), [](const SpecialPoint& a, const SpecialPoint& b) {
-    return std::pair(a.point.order, a.point.orbit.events.size()) <
-           std::pair(b.point.order, b.point.orbit.events.size());
-  });
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Begin& a, const Begin& b) { return a.rank() < b.rank(); });
   std::vector<BifurcationCurve> curves;
-  std::vector<BranchPoint> known;
+  std::vector<SolutionPoint> known;
   constexpr double kAtEnd = 1e-9;
-  for (const SpecialPoint& start : starts) {
+  for (const Begin& start : starts) {
+    const SolutionPoint& point = start.special->point;
     if (std::any_of(known.begin(), known.end(),
-                    [&](const BranchPoint& other) { return one_motion(start.point, other); }))
+                    [&](const SolutionPoint& other) { return one_motion(point, other); }))
       continue;
-    known.push_back(start.point);
-    curves.push_back(trace_bifurcation_curve(plane, start, options));
+    known.push_back(point);
+    curves.push_back(trace_bifurcation_curve(plane, *start.special, *start.orbit, limits));
     const BifurcationCurve& curve = curves.back();
     const bool returns = curve.points.size() > 1 && std::abs(curve.second.back() - plane.from) <
                                                         kAtEnd * std::abs(plane.to - plane.from);

@@ -10,23 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "methods/orbit/continuation/branch.hpp"
+#include "methods/orbit/continuation/orbit_branch.hpp"
 #include "methods/orbit/family/survey.hpp"
 
 namespace signorini {
-
-/// A scene as a function of two of its numbers: a family over the first for each value of the second.
-struct ScenePlane {
-  std::function<ParametrisedScene(double)> at = {};  ///< the interval of the first is the same for all
-  std::string second;                                ///< the name of the second number
-  double from = 0.0;                                 ///< where curves begin, in its unit
-  double to = 1.0;                                   ///< where they end, above or below
-
-  /// In the interval, both ends included.
-  [[nodiscard]] bool contains(double value) const {
-    return value >= std::min(from, to) && value <= std::max(from, to);
-  }
-};
 
 /// The families at values of the second number, all in the units of the first of them.
 class OrbitPlane {

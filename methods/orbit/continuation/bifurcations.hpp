@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "methods/orbit/continuation/branch.hpp"
+#include "methods/orbit/continuation/orbit_branch.hpp"
 #include "methods/orbit/family/extended_equations.hpp"
 
 namespace signorini {

@@ -116,7 +116,7 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
 
 // The end of a curve at the zero of a guard.
 SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& guard,
-                       const BranchPoint& point) {
+                       const SolutionPoint& point) {
   const bool rigid = equations.model().dynamics.rigid();
   const bool grazes = rigid && is_grazing(guard, equations.orbit());
   const std::string limit = ends_chatter(equations, guard) ? std::string(kChatterLimit) + ": " : "";
@@ -131,9 +131,10 @@ std::string note_at(std::string_view what, const Station& here, const OrbitFamil
 }
 
 // A special point before the next point of the branch.
-void add(SpecialPoint special, TracedCurve& result) {
+void add(SpecialPoint special, OrbitGuess orbit, TracedCurve& result) {
   special.after = result.branch.points.size();
   result.branch.special.push_back(std::move(special));
+  result.branch.special_orbits.push_back(std::move(orbit));
 }
 
 // The same with the orbit at which the branch may be left.
@@ -142,26 +143,34 @@ void record(LocatedBifurcation found, TracedCurve& result) {
     result.doublings.push_back(std::move(found.orbit));
   else if (found.special.kind == SpecialKind::branch_point)
     result.crossings.emplace_back(std::move(found.orbit), std::move(found.across));
-  add(std::move(found.special), result);
+  add(std::move(found.special), std::move(found.special_orbit), result);
+}
+
+// The orbit at which the equations are evaluated as the next point of a branch.
+void append_point(const ExtendedEquations& equations, const Station& here, int phases, OrbitBranch& branch) {
+  branch.points.push_back(solution_point(equations, here, phases));
+  branch.orbits.push_back(orbit_at(equations));
 }
 
 // Why a curve goes on no further than its last point; else empty.
-std::string why_over(const SequencedOrbit& last, std::size_t points, const CurveOptions& options) {
-  if (last.x.head(last.states()).lpNorm<Eigen::Infinity>() > options.largest_state)
+std::string why_over(const SequencedOrbit& last, std::size_t points, int max_points) {
+  constexpr double kUnbounded = 60.0;  // |y_0| in CurveUnits
+  if (last.x.head(last.states()).lpNorm<Eigen::Infinity>() > kUnbounded)
     return "the motion grows without bound";
-  if (static_cast<int>(points) >= options.max_points)
-    return fmt::format("limit of {} points", options.max_points);
+  if (static_cast<int>(points) >= max_points) return fmt::format("limit of {} points", max_points);
   return {};
 }
 
+constexpr double kFirstStep = 0.01, kShortestStep = 1e-7;  // [CurveUnits]; below, the curve ends
+
 class Tracer {
  public:
-  Tracer(OrbitFamily& family, const CurveStart& start, const CurveOptions& options)
+  Tracer(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits)
       : family_(family),
-        options_(options),
+        limits_(limits),
         start_(start),
         equations_(std::make_unique<ExtendedEquations>(family, start.orbit)),
-        step_(options.first_step * start.first_step_share) {}
+        step_(kFirstStep * start.first_step_share) {}
 
   TracedCurve run() {
     result_.branch.sequence = describe_sequence(start_.orbit);
@@ -182,7 +191,7 @@ class Tracer {
   }
 
  private:
-  void append() { result_.branch.points.push_back(branch_point(*equations_, here_, options_.phases)); }
+  void append() { append_point(*equations_, here_, limits_.phases, result_.branch); }
   void note(std::string_view what) { result_.notes.push_back(note_at(what, here_, family_)); }
   void finish(std::string reason) {
     result_.branch.ended = std::move(reason);
@@ -192,8 +201,8 @@ class Tracer {
   // One attempt at a step: taken, or shortened.
   void advance() {
     constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
-    if (options_.expired && options_.expired()) return finish("the time is up");
-    if (step_ < options_.smallest_step && !unsteered_) return finish("the corrector fails");
+    if (limits_.expired()) return finish("the time is up");
+    if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
     const auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
@@ -258,7 +267,7 @@ class Tracer {
   // Ends the step at the first of the values at which the curve is to have a point.
   bool stop_at_value() {
     const double before = here_.x[here_.x.size() - 1] * family_.units().parameter, planned = step_;
-    const auto value = first_passed(options_.at, before, equations_->parameter());
+    const auto value = first_passed(limits_.at, before, equations_->parameter());
     if (!value) return true;
     if (!shorten_to(*value)) return false;
     planned_ = planned;
@@ -307,7 +316,7 @@ class Tracer {
     result_.guard = there != nullptr ? *there : crossing.guard;
     SpecialPoint end = change_at(*equations_, *result_.guard, result_.branch.points.back());
     finish(end.text);
-    add(std::move(end), result_);
+    add(std::move(end), result_.branch.orbits.back(), result_);
     result_.branch.special.back().after = result_.branch.points.size() - 1;
   }
 
@@ -323,9 +332,9 @@ class Tracer {
     half_way_ = half_way(*equations_);
     append();
     travelled_ += step_;
-    step_ = std::max(next_step(step_, iterations, turn, options_.largest_step), planned_);
+    step_ = std::max(next_step(step_, iterations, turn, limits_.step_share * kLongestStep), planned_);
     planned_ = 0.0;
-    std::string over = why_over(equations_->orbit(), result_.branch.points.size(), options_);
+    std::string over = why_over(equations_->orbit(), result_.branch.points.size(), limits_.max_points);
     if (!over.empty()) return finish(std::move(over));
     if (auto moved = with_section_clear(*equations_, here_.tangent)) go_on_with(std::move(*moved));
     if (auto resolved = with_chatter_resolved(*equations_, here_.tangent)) go_on_with(std::move(*resolved));
@@ -341,7 +350,7 @@ class Tracer {
   }
 
   OrbitFamily& family_;
-  const CurveOptions& options_;
+  const CurveLimits& limits_;
   const CurveStart& start_;
   std::unique_ptr<ExtendedEquations> equations_;
   Station here_;
@@ -362,8 +371,8 @@ bool is_grazing(const OrbitGuard& guard, const SequencedOrbit& orbit) {
          orbit.events[static_cast<std::size_t>(guard.index)].kind == ContactEvent::Kind::impact;
 }
 
-TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveOptions& options) {
-  return Tracer(family, start, options).run();
+TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits) {
+  return Tracer(family, start, limits).run();
 }
 
 }  // namespace signorini

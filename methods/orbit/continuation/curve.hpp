@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "methods/orbit/continuation/branch.hpp"
+#include "methods/orbit/continuation/orbit_branch.hpp"
 #include "methods/orbit/family/survey.hpp"
 
 namespace signorini {
@@ -16,18 +16,8 @@ namespace signorini {
 /// Why most branches end.
 inline constexpr std::string_view kEndOfInterval = "end of the interval";
 
-/// How far and how finely a curve is followed. Lengths are in CurveUnits.
-struct CurveOptions {
-  double first_step = 0.01;     ///< length of the first step
-  double largest_step = 0.15;   ///< and of any
-  double smallest_step = 1e-7;  ///< below, the curve ends
-  double largest_state = 60.0;  ///< |y_0| beyond which a branch counts as unbounded
-  int max_points = 2000;        ///< per branch
-  int max_events = 24;          ///< per period, beyond which a branch counts as rattling
-  int phases = 0;               ///< of a forcing period at which the points keep their motion
-  std::vector<double> at = {};  ///< values of the parameter at which the curve has points
-  Expired expired = {};         ///< true ends it
-};
+/// The longest step of a curve unless a share of it is asked for [CurveUnits]
+inline constexpr double kLongestStep = 0.15;
 
 /// What branch besides the one that is followed goes through its start.
 enum class LeftBranch {
@@ -42,14 +32,14 @@ struct CurveStart {
   Eigen::VectorXd tangent;               ///< the first step is taken along it
   std::string origin;                    ///< why there, one clause
   LeftBranch leaves = LeftBranch::none;  ///< that also goes through the start
-  double first_step_share = 1.0;         ///< of CurveOptions::first_step [-]
+  double first_step_share = 1.0;         ///< of the usual length [-]
   /// Two events that coincide there follow each other the other way round than on the branch that was left.
   bool exchanges = false;
 };
 
 /// A branch, and where it may be left.
 struct TracedCurve {
-  Branch branch;
+  OrbitBranch branch;
   /// The start is not admissible beside itself, or the curve fell back on the branch it was to leave: one
   /// clause; `branch` is then to be dropped.
   std::string rejected = {};
@@ -72,7 +62,7 @@ struct TracedCurve {
 /// that is zero at the start is armed once it is positive; if it becomes negative first, the start is
 /// rejected. The section moves to the middle of the longest time between two events when an event comes
 /// within .2 rad of it.
-TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveOptions& options);
+TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits);
 
 /// Whether a guard's zero at a rigid stop is an impact's fading or a new contact: the motion on either side
 /// is a grazing one.

@@ -35,27 +35,28 @@ bool is_among(const std::vector<OrbitMark>& ends, const OrbitMark& mark, const C
 }
 
 // The two halves of a curve from the same orbit as one branch: the first backwards, then the second.
-Branch joined(const Branch& backward, const Branch& forward) {
-  Branch result{.sequence = forward.sequence, .began = backward.ended, .ended = forward.ended};
-  result.points.assign(backward.points.rbegin(), backward.points.rend());
-  result.points.insert(result.points.end(), forward.points.begin() + 1, forward.points.end());
+OrbitBranch joined(OrbitBranch backward, const OrbitBranch& forward) {
   const std::size_t half = backward.points.size();
-  for (auto special = backward.special.rbegin(); special != backward.special.rend(); ++special) {
-    result.special.push_back(*special);
-    result.special.back().after = half - special->after;
-  }
-  for (const SpecialPoint& special : forward.special) {
-    result.special.push_back(special);
-    result.special.back().after += half - 1;
-  }
-  return result;
+  for (SpecialPoint& special : backward.special) special.after = half - special.after;
+  const auto join = [](auto& first, const auto& second, std::ptrdiff_t left_out) {
+    std::reverse(first.begin(), first.end());
+    first.insert(first.end(), second.begin() + left_out, second.end());
+  };
+  const std::size_t specials = backward.special.size();
+  join(backward.points, forward.points, 1);
+  join(backward.orbits, forward.orbits, 1);
+  join(backward.special, forward.special, 0);
+  join(backward.special_orbits, forward.special_orbits, 0);
+  for (std::size_t i = specials; i < backward.special.size(); ++i) backward.special[i].after += half - 1;
+  backward.began = std::exchange(backward.ended, forward.ended);
+  return backward;
 }
 
 class DiagramTracer {
  public:
-  DiagramTracer(OrbitFamily& family, const DiagramOptions& options) : family_(family), options_(options) {}
+  DiagramTracer(OrbitFamily& family, const CurveLimits& limits) : family_(family), limits_(limits) {}
 
-  BranchDiagram run(const std::vector<SequencedOrbit>& seeds) {
+  OrbitDiagram run(const std::vector<SequencedOrbit>& seeds) {
     std::size_t left = 0;
     for (const SequencedOrbit& seed : seeds) {
       if (over()) {
@@ -68,22 +69,21 @@ class DiagramTracer {
     if (!queue_.empty() || left > 0)
       result_.unfinished = fmt::format(
           "{} branches and {} starts not followed: limit of {} branches reached, or the time is up",
-          queue_.size(), left, options_.max_branches);
+          queue_.size(), left, limits_.max_branches);
     if (too_long_ > 0)
       result_.notes.push_back(
-          fmt::format("{} period doublings lead to orders above {}", too_long_, options_.max_order));
+          fmt::format("{} period doublings lead to orders above {}", too_long_, limits_.max_order));
     return std::move(result_);
   }
 
  private:
   [[nodiscard]] bool over() const {
-    return static_cast<int>(result_.branches.size()) >= options_.max_branches ||
-           (options_.curve.expired && options_.curve.expired());
+    return static_cast<int>(result_.branches.size()) >= limits_.max_branches || limits_.expired();
   }
   void note(const std::string& text) { result_.notes.push_back(text); }
-  void keep(Branch branch) {
+  void keep(OrbitBranch branch) {
     result_.branches.push_back(std::move(branch));
-    if (options_.take) options_.take(result_.branches.back());
+    if (limits_.take) limits_.take(result_.branches.back());
   }
 
   void work() {
@@ -114,7 +114,7 @@ class DiagramTracer {
     const auto half = [&](double sign) {
       return trace_curve(
           family_, {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none},
-          options_.curve);
+          limits_);
     };
     const TracedCurve forward = half(1.0);
     if (forward.closes) {
@@ -136,11 +136,11 @@ class DiagramTracer {
   // An orbit of a branch that has been traced.
   bool is_known(const ExtendedEquations& equations) {
     const OrbitMark mark = mark_of(equations);
-    for (const Branch& branch : result_.branches) {
-      const BranchPoint& any = branch.points.front();
-      if (any.order != mark.order) continue;
+    for (const OrbitBranch& branch : result_.branches) {
+      if (branch.points.front().order != mark.order) continue;
       // The number of impacts of a chatter changes along a branch.
-      if (any.orbit.events.size() != equations.orbit().events.size() && chatter_ends(equations).empty())
+      if (branch.orbits.front().events.size() != equations.orbit().events.size() &&
+          chatter_ends(equations).empty())
         continue;
       for (const SequencedOrbit& orbit : orbits_at(family_, branch, equations.parameter())) {
         ExtendedEquations there(family_, orbit);
@@ -161,7 +161,7 @@ class DiagramTracer {
   }
 
   void follow(const CurveStart& start) {
-    const TracedCurve curve = trace_curve(family_, start, options_.curve);
+    const TracedCurve curve = trace_curve(family_, start, limits_);
     if (!curve.rejected.empty()) {
       if (curve.rejected != kEndOfInterval) note(start.origin + ": " + curve.rejected);
       return;
@@ -178,7 +178,7 @@ class DiagramTracer {
     const OrbitMark mark = mark_of(equations);
     if (contains(doubled_, mark)) return;
     doubled_.push_back(mark);
-    if (2 * orbit.order > options_.max_order) {
+    if (2 * orbit.order > limits_.max_order) {
       ++too_long_;
       return;
     }
@@ -223,12 +223,12 @@ class DiagramTracer {
     }
     if (!grazing->obstacle.empty())
       return note(fmt::format("{}: {}; not followed", where, grazing->obstacle));
-    auto starts = start_impacting(family_, *grazing, options_.max_order);
+    auto starts = start_impacting(family_, *grazing, limits_.max_order);
     if (!starts) return note(where + ": the first order does not tell what begins; not followed");
     for (CurveStart& start : *starts) {
-      if (static_cast<int>(start.orbit.events.size()) > options_.curve.max_events) {
-        note(fmt::format("{}: more than {} events in a period; not followed", where,
-                         options_.curve.max_events));
+      constexpr int kMostEvents = 24;  // beyond which a branch counts as rattling
+      if (static_cast<int>(start.orbit.events.size()) > kMostEvents) {
+        note(fmt::format("{}: more than {} events in a period; not followed", where, kMostEvents));
         continue;
       }
       queue_.push_back(std::move(start));
@@ -236,18 +236,18 @@ class DiagramTracer {
   }
 
   OrbitFamily& family_;
-  const DiagramOptions& options_;
+  const CurveLimits& limits_;
   std::list<CurveStart> queue_;
   std::vector<OrbitMark> ends_, grazings_, doubled_, crossed_, changed_;
   int too_long_ = 0;
-  BranchDiagram result_;
+  OrbitDiagram result_;
 };
 
 }  // namespace
 
-BranchDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
-                            const DiagramOptions& options) {
-  return DiagramTracer(family, options).run(seeds);
+OrbitDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
+                           const CurveLimits& limits) {
+  return DiagramTracer(family, limits).run(seeds);
 }
 
 }  // namespace signorini

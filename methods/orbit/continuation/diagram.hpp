@@ -7,14 +7,6 @@
 
 namespace signorini {
 
-/// Limits of a diagram. Cascades of doublings are infinite; without limits it would not end.
-struct DiagramOptions {
-  CurveOptions curve = {};  ///< of every branch
-  int max_order = 2;        ///< forcing periods per period of an orbit
-  int max_branches = 60;    ///< in all
-  TakeBranch take = {};
-};
-
 /// Follows the curves through given orbits both ways, and all that leave them, until every end is an end of
 /// the interval or one where another branch ends or a reason stands:
 ///
@@ -25,7 +17,7 @@ struct DiagramOptions {
 /// Given orbits that do not hold the contact conditions, or lie on a branch that has been traced, are left
 /// out. Orbits of smaller periods first. What a limit leaves undone is said in `unfinished`, what is met and
 /// not followed in `notes`: it is an end of its branch all the same.
-BranchDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
-                            const DiagramOptions& options);
+OrbitDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
+                           const CurveLimits& limits);
 
 }  // namespace signorini

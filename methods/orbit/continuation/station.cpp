@@ -29,7 +29,7 @@ double energy_of(const OrbitModel& model, const FlowState& at) {
   return energy + 0.5 * over.dot(mode.response * over);
 }
 
-// BranchPoint::motion.
+// SolutionPoint::motion.
 Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
   const SequencedOrbit& orbit = equations.orbit();
   const int contacts = equations.model().dynamics.contact_count();
@@ -49,29 +49,33 @@ Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
 
 }  // namespace
 
-BranchPoint branch_point(const ExtendedEquations& equations, const Station& station, int phases) {
+OrbitGuess orbit_at(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
   const CurveUnits& units = equations.family().units();
   const Eigen::Index n = orbit.states() / 2;
-  BranchPoint point{.parameter = equations.parameter(),
-                    .frequency = equations.frequency(),
-                    .order = orbit.order,
-                    .orbit = {.start = {.time = equations.time_of(0.0),
-                                        .state = {.u = units.displacement * orbit.x.head(n),
-                                                  .v = units.velocity * orbit.x.segment(n, n)},
-                                        .closed = orbit.closed},
-                              .events = orbit.events,
-                              .origin = "continuation"},
-                    .stability = stability_of(equations, station.tests.multipliers),
-                    .multipliers = station.tests.multipliers};
-  for (Eigen::Index i = 0; i < orbit.count(); ++i) {
-    SequenceEvent& event = point.orbit.events[static_cast<std::size_t>(i)];
-    event.time = equations.time_of(orbit.phase(i));
+  OrbitGuess result{.start = {.time = equations.time_of(0.0),
+                              .state = {.u = units.displacement * orbit.x.head(n),
+                                        .v = units.velocity * orbit.x.segment(n, n)},
+                              .closed = orbit.closed},
+                    .events = orbit.events,
+                    .origin = "continuation"};
+  for (Eigen::Index i = 0; i < orbit.count(); ++i)
+    result.events[static_cast<std::size_t>(i)].time = equations.time_of(orbit.phase(i));
+  return result;
+}
+
+SolutionPoint solution_point(const ExtendedEquations& equations, const Station& station, int phases) {
+  SolutionPoint point{.parameter = equations.parameter(),
+                      .frequency = equations.frequency(),
+                      .order = equations.orbit().order,
+                      .stability = stability_of(equations, station.tests.multipliers),
+                      .multipliers = station.tests.multipliers};
+  for (const SequenceEvent& event : equations.orbit().events) {
     const bool closes = event.kind == ContactEvent::Kind::close && !equations.model().dynamics.rigid();
     if (event.kind == ContactEvent::Kind::impact || closes) ++point.impacts;
   }
   if (point.stability == OrbitStability::undefined) point.multipliers.resize(0);
-  if (!equations.family().driven()) point.energy = energy_of(equations.model(), point.orbit.start);
+  if (!equations.family().driven()) point.energy = energy_of(equations.model(), orbit_at(equations).start);
   for (Eigen::Index j = 0; j < station.survey.highest.size(); ++j) {
     point.x_max.push_back(station.survey.highest[j]);
     point.amplitude.push_back(0.5 * (station.survey.highest[j] - station.survey.lowest[j]));
@@ -166,8 +170,9 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
     if (!energy_turns && !confirmed(kind, there.tests.multipliers)) continue;
     result.found.push_back({.length = *zero,
                             .special = {.kind = kind,
-                                        .point = branch_point(equations, there),
+                                        .point = solution_point(equations, there),
                                         .text = energy_turns ? "the energy turns" : ""},
+                            .special_orbit = orbit_at(equations),
                             .orbit = equations.orbit(),
                             .across = std::move(across)});
   }

@@ -27,7 +27,10 @@ Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent)
 
 /// The same as a point of a branch, in SI units. \param phases  of a forcing period at which it keeps its
 /// motion
-BranchPoint branch_point(const ExtendedEquations& equations, const Station& station, int phases = 0);
+SolutionPoint solution_point(const ExtendedEquations& equations, const Station& station, int phases = 0);
+
+/// The orbit at which the equations are evaluated, in SI units.
+OrbitGuess orbit_at(const ExtendedEquations& equations);
 
 /// A guard's zero on a step.
 struct GuardCrossing {
@@ -39,6 +42,7 @@ struct GuardCrossing {
 struct LocatedBifurcation {
   double length = 0.0;  ///< of the step up to it
   SpecialPoint special;
+  OrbitGuess special_orbit;     ///< as of an OrbitBranch
   SequencedOrbit orbit;         ///< there
   Eigen::VectorXd across = {};  ///< of a branch point: unit tangent of the other curve through it
 };

@@ -20,19 +20,6 @@ bool is_driven(const Problem& problem) {
 
 }  // namespace
 
-ParametrisedScene over_frequency(const Problem& problem, double from, double to) {
-  return {.parameter = "forcing.frequency",
-          .from = from,
-          .to = to,
-          .at =
-              [problem](double frequency) {
-                Problem changed = problem;
-                changed.frequency = frequency;
-                return changed;
-              },
-          .of_frequency = !load_grows(problem)};
-}
-
 std::string continuation_obstacle(const Problem& problem) {
   if (problem.size() > kMostInDenseFlow)
     return fmt::format("{} coordinates are more than {}", problem.size(), kMostInDenseFlow);
@@ -49,7 +36,8 @@ OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)
     : scene_(std::move(scene)), units_(units) {
   const Problem problem = scene_.at(scene_.middle());
   driven_ = is_driven(problem);
-  if (scene_.of_frequency) middle_ = std::make_unique<OrbitModel>(problem, modes_);
+  if (scene_.parameter == kFrequency && !load_grows(problem))
+    middle_ = std::make_unique<OrbitModel>(problem, modes_);
 }
 
 OrbitFamily::OrbitFamily(ParametrisedScene scene) : OrbitFamily(std::move(scene), CurveUnits{}) {

@@ -8,29 +8,11 @@
 #include <string>
 #include <utility>
 
+#include "methods/curve.hpp"
 #include "methods/linear_flow/shared_modes.hpp"
 #include "methods/orbit/orbit_equations.hpp"
 
 namespace signorini {
-
-/// A scene as a function of one of its numbers.
-struct ParametrisedScene {
-  std::string parameter;  ///< its name: "forcing.frequency", "law.restitution", ...
-  double from = 0.0;      ///< one end of the interval looked at, in the unit of the parameter
-  double to = 1.0;        ///< the other end, above or below
-  std::function<Problem(double)> at = {};  ///< the scene at a value
-  bool of_frequency = false;               ///< the parameter is the frequency of the load, and nothing else
-
-  [[nodiscard]] double low() const { return std::min(from, to); }   ///< lower end
-  [[nodiscard]] double high() const { return std::max(from, to); }  ///< upper end
-  /// Its middle, or, as zero is a special value of most numbers, halfway from there to an end.
-  [[nodiscard]] double middle() const { return from + to == 0.0 ? 0.5 * to : 0.5 * (from + to); }
-  /// In the interval, both ends included.
-  [[nodiscard]] bool contains(double value) const { return value >= low() && value <= high(); }
-};
-
-/// The scene with the frequency of its load left free [rad/s].
-ParametrisedScene over_frequency(const Problem& problem, double from, double to);
 
 /// Why the orbits of a scene cannot be followed: too many coordinates; no periodic load, but dampers or
 /// impacts that take energy, so that nothing but rest returns. Empty where they can.

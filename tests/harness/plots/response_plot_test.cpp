@@ -8,7 +8,7 @@
 namespace signorini::response_plot_test {
 namespace {
 
-BranchPoint point(double frequency, double amplitude, OrbitStability stability) {
+SolutionPoint point(double frequency, double amplitude, OrbitStability stability) {
   return {.parameter = frequency, .amplitude = {0.5 * amplitude, amplitude}, .stability = stability};
 }
 

@@ -64,7 +64,7 @@ TEST(ElementsOf, HaveTheLeastPeriodOfTheirMotion) {
 }
 
 TEST(CurveOfDiagram, HoldsPointsLocatedPointsAndWhatIsLeftOpen) {
-  BranchPoint point{.parameter = 2.0, .frequency = 2.0, .order = 2, .stability = OrbitStability::stable};
+  SolutionPoint point{.parameter = 2.0, .frequency = 2.0, .order = 2, .stability = OrbitStability::stable};
   point.motion = moving(2.0, 1.0, 2).motion;
   Branch branch{.points = {point, point}};
   branch.points[1].stability = OrbitStability::undefined;

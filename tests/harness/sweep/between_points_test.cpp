@@ -13,6 +13,9 @@
 #include <random>
 
 #include "harness/sweep/branch_response.hpp"
+#include "methods/exact_orbit/exact_diagram.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 #include "problems/assembly/chain.hpp"
@@ -61,9 +64,7 @@ struct Seen {
 
 // The second of two neighbours in the unknowns of the first; empty where these are others.
 std::optional<SequencedOrbit> in_unknowns_of(const SequencedOrbit& first, OrbitFamily& family,
-                                             const BranchPoint& second) {
-  const SequencedOrbit orbit = sequenced(family, second.orbit, kTwoPi * second.order / second.frequency,
-                                         second.frequency, second.parameter);
+                                             const SequencedOrbit& orbit) {
   if (orbit.x.size() != first.x.size()) return std::nullopt;  // the impacts of a chatter
   ExtendedEquations equations(family, orbit);
   if (!equations.evaluate(orbit.x)) return std::nullopt;
@@ -72,14 +73,13 @@ std::optional<SequencedOrbit> in_unknowns_of(const SequencedOrbit& first, OrbitF
 }
 
 // Five orbits between two neighbours, in planes across their chord.
-void compare(OrbitFamily& family, const Branch& branch, std::size_t i, Seen& seen) {
+void compare(OrbitFamily& family, const OrbitBranch& branch, std::size_t i, Seen& seen) {
   constexpr int kInside = 5;
   // Of a guard: a tenth of the speed below which a polish calls an impact grazing.
   constexpr double kPast = -1e-8;
-  const BranchPoint& a = branch.points[i];
-  const SequencedOrbit first =
-      sequenced(family, a.orbit, kTwoPi * a.order / a.frequency, a.frequency, a.parameter);
-  const auto second = in_unknowns_of(first, family, branch.points[i + 1]);
+  const SolutionPoint& a = branch.points[i];
+  const SequencedOrbit first = orbit_of(family, branch, i);
+  const auto second = in_unknowns_of(first, family, orbit_of(family, branch, i + 1));
   ++seen.steps;
   if (!second) return;
   const Eigen::VectorXd chord = second->x - first.x;
@@ -111,9 +111,9 @@ TEST(BetweenPoints, EveryOrbitIsAMotionOfTheScene) {
   Seen seen;
   for (int number = 0; number < scenes; ++number) {
     const ParametrisedScene scene = over_frequency(random_chain(random, number), kFrom, kTo);
-    const BranchDiagram diagram = exact_branches(scene, {.max_branches = 16, .timeout = 60.0});
+    const OrbitDiagram diagram = exact_diagram(scene, ExactOrbitMethod({}), {.max_branches = 16});
     OrbitFamily family(scene);
-    for (const Branch& branch : diagram.branches) {
+    for (const OrbitBranch& branch : diagram.branches) {
       for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) compare(family, branch, i, seen);
     }
     fmt::print("scene {}: {} branches\n", number, diagram.branches.size());

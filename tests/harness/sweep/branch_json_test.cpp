@@ -14,14 +14,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Branch whole_branch() {
-  BranchPoint point{.parameter = 0.25,
-                    .frequency = 2.0,
-                    .order = 2,
-                    .x_max = {0.1, std::nextafter(0.2, 1.0)},
-                    .amplitude = {0.3, 0.4},
-                    .impacts = 3,
-                    .energy = 1.5,
-                    .stability = OrbitStability::elliptic};
+  SolutionPoint point{.parameter = 0.25,
+                      .frequency = 2.0,
+                      .order = 2,
+                      .x_max = {0.1, std::nextafter(0.2, 1.0)},
+                      .amplitude = {0.3, 0.4},
+                      .impacts = 3,
+                      .energy = 1.5,
+                      .stability = OrbitStability::elliptic};
   point.multipliers = Eigen::Vector2cd(std::complex<double>(0.6, 0.8), std::complex<double>(0.6, -0.8));
   point.motion = Eigen::MatrixXd::Constant(4, 2, 1.0 / 3.0);
   Branch branch{.sequence = "order 2, events I0", .began = "start at 1", .ended = "end of the interval"};

@@ -14,6 +14,8 @@
 
 #include "harness/orbits/orbit_search.hpp"
 #include "harness/sweep/branch_response.hpp"
+#include "methods/exact_orbit/exact_diagram.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/survey.hpp"
@@ -42,9 +44,9 @@ Extent extent() {
 // Whether some branch has an orbit of this order, number of impacts, largest multiplier and amplitude, which
 // the search samples, at a frequency. Of a complete chatter the impacts are infinitely many, of which both
 // resolve so many.
-bool holds(OrbitFamily& family, const BranchDiagram& diagram, double frequency, const FoundOrbit& sought) {
+bool holds(OrbitFamily& family, const OrbitDiagram& diagram, double frequency, const FoundOrbit& sought) {
   constexpr double kSameAmplitude = 1e-3, kSameMultiplier = 1e-5;
-  for (const Branch& branch : diagram.branches) {
+  for (const OrbitBranch& branch : diagram.branches) {
     if (branch.points.front().order != sought.order) continue;
     for (const SequencedOrbit& orbit : orbits_at(family, branch, frequency)) {
       ExtendedEquations equations(family, orbit);
@@ -73,7 +75,7 @@ TEST(BranchPopulation, HoldsTheStableOrbitsThatASearchFinds) {
   for (int number = 0; number < asked.scenes; ++number) {
     const Problem problem = test::random_scene(random, number);
     const ParametrisedScene scene = over_frequency(problem, kFrom, kTo);
-    const BranchDiagram diagram = exact_branches(scene, {.max_order = kOrders, .timeout = 120.0});
+    const OrbitDiagram diagram = exact_diagram(scene, ExactOrbitMethod({}), {.max_order = kOrders});
     SCOPED_TRACE(number);
     (void)test::expect_orbits_of(scene, diagram);
     OrbitFamily family(scene);

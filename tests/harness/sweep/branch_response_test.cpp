@@ -12,6 +12,8 @@
 #include <random>
 
 #include "harness/plan/plan.hpp"
+#include "methods/exact_orbit/exact_diagram.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/harness/sweep/random_scenes.hpp"
 #include "tests/harness/sweep/sound_branches.hpp"
@@ -35,12 +37,12 @@ double distance(const nlohmann::json& response, const std::string& kind, double 
 // x(t) = Re(e^{i w t} / (1 - w^2 + i c w)) where nothing touches; at twice the period both halves.
 TEST(ExactBranches, KeepTheMotionAtEquidistantPhasesOfTheLoad) {
   const Problem problem = read_scene(find_scene("sdof-stop")).problem;
-  BranchLimits limits;
+  CurveLimits limits;
   limits.phases = 16;
   const BranchDiagram diagram = exact_branches(over_frequency(problem, 3.0, 4.4), limits);
   bool free = false;
   for (const Branch& branch : diagram.branches) {
-    for (const BranchPoint& point : branch.points) {
+    for (const SolutionPoint& point : branch.points) {
       ASSERT_EQ(point.motion.rows(), 16 * point.order);
       EXPECT_LE(point.motion.maxCoeff(), point.x_max[0] + 1e-12);
       EXPECT_GT(point.motion.maxCoeff() - point.motion.minCoeff(), 1.8 * point.amplitude[0]);
@@ -181,7 +183,8 @@ TEST(ExactBranches, BeginAtAllOrbitsThatASearchFinds) {
   const ParametrisedScene scene = over_frequency(problem, 2.42, 2.53);
   const auto distance_of = [&](int searches, SpecialKind kind, double truth) {
     double nearest = 1e300;
-    for (const Branch& branch : exact_branches(scene, {.timeout = 600.0, .searches = searches}).branches) {
+    for (const Branch& branch :
+         exact_branches(scene, {.begin_at = searched_motions(scene, searches, 2, 300.0)}).branches) {
       for (const SpecialPoint& special : branch.special) {
         if (special.kind == kind) nearest = std::min(nearest, std::abs(special.point.parameter - truth));
       }
@@ -201,7 +204,7 @@ TEST(ExactBranches, FollowALoadThroughZero) {
   const Branch& free = diagram.branches.front();
   EXPECT_EQ(std::abs(free.points.front().parameter - free.points.back().parameter), 1.0);
   const double reach = 1.0 / std::hypot(1.0 - 2.2 * 2.2, 0.1 * 2.2);
-  for (const BranchPoint& point : free.points)
+  for (const SolutionPoint& point : free.points)
     EXPECT_NEAR(point.amplitude[0], std::abs(point.parameter) * reach, 1e-12);
 }
 
@@ -212,7 +215,8 @@ TEST(ExactBranches, OfRandomScenesAreTheirOrbits) {
     SCOPED_TRACE(number);
     const Problem problem = test::random_scene(random, number);
     const ParametrisedScene scene = over_frequency(problem, 0.7, 3.0);
-    compared += test::expect_orbits_of(scene, exact_branches(scene, {.max_branches = 10, .timeout = 60.0}));
+    compared +=
+        test::expect_orbits_of(scene, exact_diagram(scene, ExactOrbitMethod({}), {.max_branches = 10}));
   }
   EXPECT_GT(compared, 1000);
 }

@@ -9,7 +9,7 @@
 namespace signorini::sweep_output_test {
 namespace {
 
-BranchPoint point(double omega, double amplitude, OrbitStability stability, int order = 1) {
+SolutionPoint point(double omega, double amplitude, OrbitStability stability, int order = 1) {
   return {.parameter = omega,
           .frequency = omega,
           .order = order,

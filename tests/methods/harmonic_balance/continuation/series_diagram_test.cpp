@@ -58,7 +58,7 @@ void expect_sound(const BranchDiagram& diagram) {
     EXPECT_FALSE(branch.ended.empty());
     ASSERT_GE(branch.points.size(), 2U);
     for (std::size_t i = 1; i < branch.points.size(); ++i) {
-      const BranchPoint &a = branch.points[i - 1], &b = branch.points[i];
+      const SolutionPoint &a = branch.points[i - 1], &b = branch.points[i];
       EXPECT_LE(std::abs(a.parameter - b.parameter), 0.11);
       EXPECT_LE(std::abs(a.amplitude[0] - b.amplitude[0]), 0.15 * std::max(0.1, a.amplitude[0]));
     }
@@ -67,7 +67,8 @@ void expect_sound(const BranchDiagram& diagram) {
 
 TEST(SeriesDiagram, WithoutContactIsTheClosedFormResponse) {
   const Problem problem = test::to_problem({.damping = 0.2, .gap = 9.0});
-  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(5).follow(problem, 0.5, 2.0, {});
+  const BranchDiagram diagram =
+      with_harmonics<FourierLipschitz>(5).follow(over_frequency(problem, 0.5, 2.0), {});
   expect_sound(diagram);
   ASSERT_EQ(diagram.branches.size(), 1U) << "both ends and the method's answers lie on one branch";
   const Branch& branch = diagram.branches.front();
@@ -75,7 +76,7 @@ TEST(SeriesDiagram, WithoutContactIsTheClosedFormResponse) {
   EXPECT_NEAR(branch.points.back().parameter, 2.0, 1e-12);
   EXPECT_EQ(branch.ended, "end of the interval");
   EXPECT_TRUE(branch.special.empty());
-  for (const BranchPoint& point : branch.points) {
+  for (const SolutionPoint& point : branch.points) {
     const double w = point.parameter;
     EXPECT_NEAR(point.amplitude[0], 1.0 / std::hypot(1.0 - w * w, 0.2 * w), 1e-12);
     EXPECT_EQ(point.stability, OrbitStability::stable);
@@ -83,8 +84,8 @@ TEST(SeriesDiagram, WithoutContactIsTheClosedFormResponse) {
 }
 
 TEST(SeriesDiagram, PassesGrazingIntoTheImpactingMotions) {
-  const BranchDiagram diagram =
-      with_harmonics<FourierLipschitz>(20).follow(test::to_problem(kStop), 3.5, 1.6, {.max_order = 1});
+  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(20).follow(
+      over_frequency(test::to_problem(kStop), 3.5, 1.6), {.max_order = 1});
   expect_sound(diagram);
   ASSERT_EQ(diagram.branches.size(), 1U);
   const Branch& branch = diagram.branches.front();
@@ -100,8 +101,8 @@ TEST(SeriesDiagram, PassesGrazingIntoTheImpactingMotions) {
 TEST(SeriesDiagram, FoldOfTwoPeriodsIsThatOfTheExactOrbitsUpToOneOverH) {
   std::vector<double> errors;
   for (const int harmonics : {5, 10, 20}) {
-    const BranchDiagram diagram =
-        with_harmonics<FourierLipschitz>(harmonics).follow(test::to_problem(kStop), 2.0, 4.2, {});
+    const BranchDiagram diagram = with_harmonics<FourierLipschitz>(harmonics).follow(
+        over_frequency(test::to_problem(kStop), 2.0, 4.2), {});
     expect_sound(diagram);
     const auto fold = nearest(diagram, SpecialKind::fold, 2, kFold);
     ASSERT_TRUE(fold) << harmonics;
@@ -119,7 +120,8 @@ TEST(SeriesDiagram, FoldOfTwoPeriodsIsThatOfTheExactOrbitsUpToOneOverH) {
 TEST(SeriesDiagram, OfASpringConvergesToItsFoldAndItsDoubling) {
   double error = 1.0, multiplier_error = 1.0;
   for (const int harmonics : {10, 20}) {
-    const BranchDiagram diagram = with_harmonics<PenaltyHbm>(harmonics).follow(sprung(100.0), 2.0, 4.0, {});
+    const BranchDiagram diagram =
+        with_harmonics<PenaltyHbm>(harmonics).follow(over_frequency(sprung(100.0), 2.0, 4.0), {});
     expect_sound(diagram);
     const auto fold = nearest(diagram, SpecialKind::fold, 2, kSpringFold);
     const auto doubling = nearest(diagram, SpecialKind::period_doubling, 1, kSpringDoubling);
@@ -143,21 +145,24 @@ TEST(SeriesDiagram, OfASpringConvergesToItsFoldAndItsDoubling) {
 }
 
 TEST(SeriesDiagram, LipschitzFormOfTheSpringLeadsToTheSameFold) {
-  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(20).follow(sprung(100.0), 2.0, 4.0, {});
+  const BranchDiagram diagram =
+      with_harmonics<FourierLipschitz>(20).follow(over_frequency(sprung(100.0), 2.0, 4.0), {});
   EXPECT_NEAR(*nearest(diagram, SpecialKind::fold, 2, kSpringFold), kSpringFold, 1e-3);
 }
 
 TEST(SeriesDiagram, AftOfTheSameLawFollowsTheSameCurve) {
   const Problem problem = test::to_problem(kStop);
-  const BranchDiagram one = with_harmonics<FourierLipschitz>(10).follow(problem, 3.0, 2.0, {.max_order = 1});
-  const BranchDiagram other = with_harmonics<AftHbm>(10).follow(problem, 3.0, 2.0, {.max_order = 1});
+  const BranchDiagram one =
+      with_harmonics<FourierLipschitz>(10).follow(over_frequency(problem, 3.0, 2.0), {.max_order = 1});
+  const BranchDiagram other =
+      with_harmonics<AftHbm>(10).follow(over_frequency(problem, 3.0, 2.0), {.max_order = 1});
   ASSERT_EQ(one.branches.size(), other.branches.size());
   EXPECT_EQ(one.branches.front().points.size(), other.branches.front().points.size());
 }
 
 TEST(SeriesDiagram, PlainFormBreaksAndSaysWhere) {
-  const BranchDiagram diagram =
-      with_harmonics<FourierLipschitz>(20, true).follow(test::to_problem(kStop), 3.5, 1.6, {.max_order = 1});
+  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(20, true).follow(
+      over_frequency(test::to_problem(kStop), 3.5, 1.6), {.max_order = 1});
   ASSERT_FALSE(diagram.branches.empty());
   const Branch& branch = diagram.branches.front();
   EXPECT_NE(branch.ended.find("the curve breaks at"), std::string::npos) << branch.ended;
@@ -173,7 +178,8 @@ TEST(SeriesDiagram, FollowsTheBranchesThatCrossAtABranchPoint) {
   CurveLimits limits;
   limits.max_order = 1;
   limits.phases = 64;
-  const BranchDiagram diagram = with_harmonics<FourierLipschitz>(20).follow(problem, 0.8, 2.0, limits);
+  const BranchDiagram diagram =
+      with_harmonics<FourierLipschitz>(20).follow(over_frequency(problem, 0.8, 2.0), limits);
   expect_sound(diagram);
   const auto located = nearest(diagram, SpecialKind::branch_point, 1, 1.0);
   ASSERT_TRUE(located.has_value());
@@ -196,8 +202,8 @@ TEST(SeriesDiagram, FollowsTheBranchesThatCrossAtABranchPoint) {
 TEST(SeriesDiagram, PassesEveryGrazingOfTwoMasses) {
   const Problem problem = load_scene(find_scene("chain2-stop"));
   for (const int harmonics : {10, 20}) {
-    const BranchDiagram diagram =
-        with_harmonics<FourierLipschitz>(harmonics).follow(problem, 2.5, 1.0, {.max_order = 1});
+    const BranchDiagram diagram = with_harmonics<FourierLipschitz>(harmonics).follow(
+        over_frequency(problem, 2.5, 1.0), {.max_order = 1});
     ASSERT_EQ(diagram.branches.size(), 1U) << harmonics << ": one curve from one end to the other";
     const Branch& branch = diagram.branches.front();
     EXPECT_EQ(branch.ended, "end of the interval");
@@ -213,8 +219,8 @@ TEST(SeriesDiagram, IsOneCurveWhereContactBeginsOnASpring) {
   for (const char* level : {"0.4", "4", "20"}) {
     const Problem problem = load_scene(find_scene(std::string("rod-penalty@") + level));
     for (const int harmonics : {10, 20}) {
-      const BranchDiagram diagram =
-          with_harmonics<FourierLipschitz>(harmonics).follow(problem, 57000.0, 75000.0, {.max_order = 1});
+      const BranchDiagram diagram = with_harmonics<FourierLipschitz>(harmonics).follow(
+          over_frequency(problem, 57000.0, 75000.0), {.max_order = 1});
       ASSERT_EQ(diagram.branches.size(), 1U) << level << ", H = " << harmonics;
       const Branch& branch = diagram.branches.front();
       EXPECT_EQ(branch.ended, "end of the interval");
@@ -231,7 +237,7 @@ TEST(SeriesDiagram, IsOneCurveWhereContactBeginsOnASpring) {
 
 TEST(SeriesDiagram, MotionsOfTwoPeriodsBranchOffWhereContactBegins) {
   const BranchDiagram diagram =
-      with_harmonics<FourierLipschitz>(20).follow(test::to_problem(kStop), 2.4, 4.2, {});
+      with_harmonics<FourierLipschitz>(20).follow(over_frequency(test::to_problem(kStop), 2.4, 4.2), {});
   const auto doubling = nearest(diagram, SpecialKind::period_doubling, 1, kGrazing);
   ASSERT_TRUE(doubling);
   EXPECT_NEAR(*doubling, kGrazing, 1e-4);
@@ -241,21 +247,22 @@ TEST(SeriesDiagram, MotionsOfTwoPeriodsBranchOffWhereContactBegins) {
 TEST(SeriesDiagram, LimitsAreSaid) {
   const Problem problem = test::to_problem(kStop);
   const auto method = with_harmonics<FourierLipschitz>(10);
-  const BranchDiagram few = method.follow(problem, 3.5, 2.0, {.max_points = 5});
+  const BranchDiagram few = method.follow(over_frequency(problem, 3.5, 2.0), {.max_points = 5});
   EXPECT_EQ(few.branches.front().ended, "limit of 5 points");
   EXPECT_EQ(few.branches.front().points.size(), 5U);
-  const BranchDiagram one = method.follow(problem, 3.5, 2.0, {.max_branches = 1});
+  const BranchDiagram one = method.follow(over_frequency(problem, 3.5, 2.0), {.max_branches = 1});
   EXPECT_EQ(one.branches.size(), 1U);
   EXPECT_EQ(one.unfinished, "limit of 1 branches");
-  const BranchDiagram late = method.follow(
-      problem, 3.5, 2.0, {.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1)});
+  const BranchDiagram late =
+      method.follow(over_frequency(problem, 3.5, 2.0),
+                    {.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1)});
   EXPECT_EQ(late.unfinished, "the time is up");
 }
 
 TEST(SeriesDiagram, MotionsOfTheScenesOwnOrderAreFollowed) {
   const Problem problem = with_subharmonic(test::to_problem(kStop), 2);
   const BranchDiagram diagram =
-      with_harmonics<FourierLipschitz>(20).follow(problem, 4.2, 2.6, {.max_order = 2});
+      with_harmonics<FourierLipschitz>(20).follow(over_frequency(problem, 4.2, 2.6), {.max_order = 2});
   ASSERT_FALSE(diagram.branches.empty());
   for (const Branch& branch : diagram.branches) EXPECT_EQ(branch.points.front().order, 2);
 }
@@ -264,10 +271,10 @@ TEST(SeriesDiagram, RefusesASceneWithoutContactAndTooManyUnknowns) {
   Problem free = test::to_problem(kStop);
   free.contacts.clear();
   free.law = std::monostate{};
-  EXPECT_EQ(with_harmonics<FourierLipschitz>(5).follow(free, 1.0, 2.0, {}).unfinished,
+  EXPECT_EQ(with_harmonics<FourierLipschitz>(5).follow(over_frequency(free, 1.0, 2.0), {}).unfinished,
             "the scene has no contact");
   const BranchDiagram large =
-      with_harmonics<FourierLipschitz>(2000).follow(test::to_problem(kStop), 1.0, 2.0, {});
+      with_harmonics<FourierLipschitz>(2000).follow(over_frequency(test::to_problem(kStop), 1.0, 2.0), {});
   EXPECT_NE(large.unfinished.find("4001 unknowns"), std::string::npos) << large.unfinished;
 }
 

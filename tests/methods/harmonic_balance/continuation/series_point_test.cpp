@@ -56,7 +56,7 @@ TEST(BranchPointOfSeries, WithoutContactIsTheLinearResponse) {
   const SeriesFamily family = test::family_of(problem, 6);
   SeriesCurve curve(family, 1);
   ASSERT_TRUE(curve.evaluate(curve.unknowns(Eigen::MatrixXcd::Zero(7, 1), 2.0)));
-  const BranchPoint point = branch_point(curve);
+  const SolutionPoint point = solution_point(curve);
   EXPECT_EQ(point.impacts, 0);
   EXPECT_EQ(point.order, 1);
   EXPECT_DOUBLE_EQ(point.parameter, 2.0);
@@ -78,7 +78,7 @@ TEST(BranchPointOfSeries, OfASpringPressedThroughoutIsOfTheStifferOscillator) {
   lambda(1, 0) = -5.0 * 0.5 / Complex(6.0 - omega * omega, 0.1 * omega);
   ASSERT_TRUE(curve.evaluate(curve.unknowns(lambda, omega)));
   EXPECT_LT(curve.residual().norm(), 1e-12) << "the closed form solves the equations";
-  const BranchPoint point = branch_point(curve);
+  const SolutionPoint point = solution_point(curve);
   EXPECT_EQ(point.impacts, 1) << "one phase of contact, without end";
   expect_multipliers_of_oscillator(point.multipliers, 0.1, 6.0, 2.0 * std::numbers::pi / omega);
 }
@@ -88,7 +88,7 @@ TEST(BranchPointOfSeries, StabilityOfImpactsOnARigidStopIsNotKnown) {
   const SeriesFamily family = test::family_of(problem, 6);
   SeriesCurve curve(family, 1);
   ASSERT_TRUE(curve.evaluate(curve.unknowns(Eigen::MatrixXcd::Zero(7, 1), 1.6)));
-  const BranchPoint point = branch_point(curve);
+  const SolutionPoint point = solution_point(curve);
   ASSERT_EQ(point.impacts, 1) << "the linear response goes through the stop";
   EXPECT_EQ(point.stability, OrbitStability::unknown);
   EXPECT_EQ(point.multipliers.size(), 0);
@@ -99,7 +99,7 @@ TEST(BranchPointOfSeries, WithoutDampingIsElliptic) {
   const SeriesFamily family = test::family_of(problem, 4);
   SeriesCurve curve(family, 1);
   ASSERT_TRUE(curve.evaluate(curve.unknowns(Eigen::MatrixXcd::Zero(5, 1), 2.1)));
-  EXPECT_EQ(branch_point(curve).stability, OrbitStability::elliptic);
+  EXPECT_EQ(solution_point(curve).stability, OrbitStability::elliptic);
 }
 
 }  // namespace

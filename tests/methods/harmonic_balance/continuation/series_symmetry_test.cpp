@@ -100,8 +100,8 @@ TEST(Pitchforks, OfTwoStopsAreMetAtEveryResolution) {
     const Problem problem = two_stops();
     FourierLipschitz::Options options;
     options.common.harmonics = harmonics;
-    const BranchDiagram diagram =
-        FourierLipschitz(options).follow(problem, kFrom, 1.03, {.max_order = 1, .max_branches = 3});
+    const BranchDiagram diagram = FourierLipschitz(options).follow(over_frequency(problem, kFrom, 1.03),
+                                                                   {.max_order = 1, .max_branches = 3});
     double found = 0.0;
     std::size_t left = 0;
     for (const Branch& branch : diagram.branches) {

@@ -75,12 +75,12 @@ TEST(HatCurve, GapsAreThoseOfTheMotion) {
 
 TEST(HatTracer, WithoutContactIsTheResponseOfTheGrid) {
   const Problem problem = test::to_problem({.damping = 0.2, .gap = 9.0});
-  const BranchDiagram diagram = with_samples(64).follow(problem, 0.5, 2.0, {});
+  const BranchDiagram diagram = with_samples(64).follow(over_frequency(problem, 0.5, 2.0), {});
   ASSERT_EQ(diagram.branches.size(), 1U);
   const Branch& branch = diagram.branches.front();
   EXPECT_EQ(branch.ended, "end of the interval");
   EXPECT_NEAR(branch.points.back().parameter, 2.0, 1e-12);
-  for (const BranchPoint& point : branch.points) {
+  for (const SolutionPoint& point : branch.points) {
     const double w = point.parameter;
     const double exact = 1.0 / std::hypot(1.0 - w * w, 0.2 * w);
     EXPECT_NEAR(point.amplitude[0], exact, 5e-3 * exact) << "of second order in the step of the grid";
@@ -97,7 +97,7 @@ std::vector<double> special(const BranchDiagram& diagram, SpecialKind kind, int 
 }
 
 TEST(HatTracer, PassesTheFoldOfTwoPeriodsOnASpring) {
-  const BranchDiagram diagram = with_samples(128).follow(sprung(100.0), 2.0, 4.0, {});
+  const BranchDiagram diagram = with_samples(128).follow(over_frequency(sprung(100.0), 2.0, 4.0), {});
   const std::vector<double> births = special(diagram, SpecialKind::contact_change, 1);
   ASSERT_EQ(births.size(), 1U);
   EXPECT_NEAR(births[0], kGrazing, 5e-4) << "of second order in the step of the grid";
@@ -121,8 +121,8 @@ TEST(HatTracer, PointsAreSolutionsOfTheComplementarityProblem) {
   ASSERT_TRUE(curve.evaluate(Eigen::VectorXd::Constant(1, 4.0 / family.frequency_unit)));
   const TracedHat traced = trace_hat(
       family,
-      {.multiple = 1, .pressing = {}, .x = curve.x(), .tangent = -Eigen::VectorXd::Ones(1), .origin = {}},
-      {});
+      {.multiple = 1, .pressing = {}, .x = curve.x(), .tangent = -Eigen::VectorXd::Ones(1), .origin = {}}, {},
+      [](const Eigen::VectorXd&) { return false; });
   EXPECT_EQ(traced.branch.ended, "end of the interval");
   int pressing_points = 0;
   for (const Eigen::VectorXd& all : traced.points.x) {
@@ -143,16 +143,19 @@ TEST(HatTracer, PointsAreSolutionsOfTheComplementarityProblem) {
 }
 
 TEST(HatTracer, LimitsAreSaid) {
-  const BranchDiagram few = with_samples(64).follow(sprung(100.0), 4.0, 2.0, {.max_points = 5});
+  const BranchDiagram few =
+      with_samples(64).follow(over_frequency(sprung(100.0), 4.0, 2.0), {.max_points = 5});
   ASSERT_FALSE(few.branches.empty());
   EXPECT_EQ(few.branches.front().ended, "limit of 5 points");
-  const BranchDiagram late = with_samples(64).follow(
-      sprung(100.0), 4.0, 2.0, {.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1)});
+  const BranchDiagram late =
+      with_samples(64).follow(over_frequency(sprung(100.0), 4.0, 2.0),
+                              {.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1)});
   EXPECT_EQ(late.unfinished, "the time is up");
   Problem free = test::to_problem(kStop);
   free.contacts.clear();
   free.law = std::monostate{};
-  EXPECT_EQ(with_samples(64).follow(free, 1.0, 2.0, {}).unfinished, "the scene has no contact");
+  EXPECT_EQ(with_samples(64).follow(over_frequency(free, 1.0, 2.0), {}).unfinished,
+            "the scene has no contact");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ ScenePlane over_gap(double from, double to) {
 
 std::vector<BifurcationCurve> curves_of(const ScenePlane& plane, SpecialKind kind) {
   OrbitFamily family(plane.at(plane.from));
-  const BranchDiagram diagram =
+  const OrbitDiagram diagram =
       trace_diagram(family, {contact_free_orbit(family, family.scene().to).value()}, {});
   return bifurcation_curves(plane, diagram, kind, {});
 }
@@ -65,7 +65,7 @@ TEST(BifurcationCurves, JoinTheDoublingsOfTheOscillatorOverItsRestitution) {
   EXPECT_NEAR(at_the_end(curves, 2.2647019400124, 2.2646455610069), 2.2646455610069, 1e-9);
   EXPECT_NEAR(at_the_end(curves, 2.9125835786788, 2.8104370993468), 2.8104370993468, 1e-9);
   for (const BifurcationCurve& curve : curves) {
-    for (const BranchPoint& point : curve.points)
+    for (const SolutionPoint& point : curve.points)
       EXPECT_LT((point.multipliers.array() + 1.0).abs().minCoeff(), 1e-4);
   }
 }
@@ -99,7 +99,7 @@ TEST(BifurcationCurves, AreFollowedInSmallStepsAndOnce) {
       EXPECT_LT(std::abs(curves[a].second[i] - curves[a].second[i - 1]), 0.01);
     }
     for (std::size_t b = 0; b < a; ++b) {
-      const BranchPoint &p = curves[a].points.front(), &q = curves[b].points.front();
+      const SolutionPoint &p = curves[a].points.front(), &q = curves[b].points.front();
       EXPECT_GT(std::abs(p.frequency - q.frequency) + std::abs(p.x_max[0] - q.x_max[0]) +
                     std::abs(p.amplitude[0] - q.amplitude[0]),
                 1e-6);

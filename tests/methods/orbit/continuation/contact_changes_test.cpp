@@ -33,16 +33,17 @@ TEST(PastChange, MeetsTheSpecialPointsOfSpringStops) {
        {SpringTruth{1e2, 2.2062846538, 3.5167116923}, SpringTruth{1e3, 2.2446234624, 3.7417813298},
         SpringTruth{1e4, 2.2581813092, 3.8188010302}}) {
     const ParametrisedScene scene = over_frequency(test::penalty_oscillator(truth.stiffness), 1.5, 4.5);
-    const BranchDiagram diagram = diagram_of(scene.at(2.0), 1.5, 4.5);
-    const Branch *one = branch_of(diagram, 1, 1), *two = branch_of(diagram, 2, 1);
+    const OrbitDiagram diagram = diagram_of(scene.at(2.0), 1.5, 4.5);
+    const OrbitBranch *one = branch_of(diagram, 1, 1), *two = branch_of(diagram, 2, 1);
     ASSERT_TRUE(one && two) << truth.stiffness;
     EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, truth.doubling), truth.doubling, kLocated);
     EXPECT_NEAR(nearest(*two, SpecialKind::fold, truth.fold), truth.fold, kLocated);
     EXPECT_EQ(one->special.front().kind, SpecialKind::period_doubling);  // no fold where contact begins
-    for (const BranchPoint& point : one->points) {
-      const ExactOrbit orbit = polished(scene, point);
+    for (std::size_t i = 1; i < one->points.size(); ++i) {
+      const SolutionPoint& point = one->points[i];
+      const ExactOrbit orbit = polished(scene, *one, i);
       // A phase of contact of next to no length is refused by the polish.
-      if (&point == &one->points.front() || orbit.outcome != OrbitOutcome::converged) continue;
+      if (orbit.outcome != OrbitOutcome::converged) continue;
       EXPECT_EQ(point.stability == OrbitStability::stable, orbit.largest_multiplier() < 1.0)
           << point.parameter;
     }
@@ -62,7 +63,7 @@ TEST(PastChange, PassesTheTwoMassesOfNlvib) {
   chain.law = Penalty{{100.0}};
   constexpr double kPrinted = 2e-12;
   for (const auto& [from, to] : {std::pair(0.5, 2.5), std::pair(2.5, 0.5)}) {  // from either end
-    const BranchDiagram diagram = diagram_of(chain, from, to, {.max_order = 1});
+    const OrbitDiagram diagram = diagram_of(chain, from, to, {.max_order = 1});
     EXPECT_NEAR(nearest(diagram, SpecialKind::fold, 0.7556), 0.7556273526, 1e-10);
     EXPECT_NEAR(nearest(diagram, SpecialKind::period_doubling, 0.7387), 0.7387830254, 1e-10);
     EXPECT_NEAR(nearest(diagram, SpecialKind::period_doubling, 0.7556), 0.7555861594, 1e-10);
@@ -70,7 +71,7 @@ TEST(PastChange, PassesTheTwoMassesOfNlvib) {
     EXPECT_NEAR(nearest(diagram, SpecialKind::neimark_sacker, 0.5819), 0.5819006504, 1e-10);
     EXPECT_NEAR(nearest(diagram, SpecialKind::contact_change, 0.5819), 0.581899639039, kPrinted);
     EXPECT_NEAR(nearest(diagram, SpecialKind::contact_change, 0.6534), 0.653440140416, kPrinted);
-    const Branch* one = branch_of(diagram, 1, 1);
+    const OrbitBranch* one = branch_of(diagram, 1, 1);
     ASSERT_TRUE(one);
     const auto folds = std::count_if(one->special.begin(), one->special.end(),
                                      [](const auto& special) { return special.kind == SpecialKind::fold; });
@@ -83,8 +84,8 @@ TEST(PastChange, PassesTheTwoMassesOfNlvib) {
 // of contact that fade, and two events that exchange their order.
 TEST(PastChange, LeadsThroughTheChangesOfThreeContacts) {
   constexpr int kBranches = 18;
-  const BranchDiagram diagram = diagram_of(load_scene(find_scene("beam20-three-stops")), 4.0, 5.5,
-                                           {.max_order = 1, .max_branches = kBranches});
+  const OrbitDiagram diagram = diagram_of(load_scene(find_scene("beam20-three-stops")), 4.0, 5.5,
+                                          {.max_order = 1, .max_branches = kBranches});
   EXPECT_TRUE(diagram.notes.empty()) << diagram.notes.front();
   ASSERT_EQ(diagram.branches.size(), static_cast<std::size_t>(kBranches));
   int ended_phases = 0, exchanged = 0;
@@ -110,11 +111,11 @@ TEST(PastChange, AreTheSameWhateverTheSteps) {
   const ParametrisedScene scene = over_frequency(load_scene(find_scene("beam20-three-stops")), 4.4, 4.5);
   const auto ends = [&](double step) {
     OrbitFamily family(scene);
-    const BranchDiagram diagram =
+    const OrbitDiagram diagram =
         trace_diagram(family, {contact_free_orbit(family, 4.5).value()},
-                      {.curve = {.largest_step = step}, .max_order = 1, .max_branches = 8});
+                      {.max_order = 1, .max_branches = 8, .step_share = step / kLongestStep});
     std::vector<double> parameters;
-    for (const Branch& branch : diagram.branches) parameters.push_back(branch.points.back().parameter);
+    for (const OrbitBranch& branch : diagram.branches) parameters.push_back(branch.points.back().parameter);
     return parameters;
   };
   const std::vector<double> fine = ends(0.03), coarse = ends(0.15);
@@ -157,31 +158,31 @@ TEST(PastChange, EndsAnInterruptionWhicheverOfItsGuardsIsMet) {
 TEST(PastChange, EndsABreakOfContactOnAStiffStopInItsLength) {
   const ParametrisedScene scene = over_frequency(load_scene(find_scene("beam20-three-stops")), 4.4, 4.52);
   OrbitFamily family(scene);
-  const BranchDiagram diagram =
+  const OrbitDiagram diagram =
       trace_diagram(family, {contact_free_orbit(family, 4.52).value()}, {.max_branches = 24});
   EXPECT_NEAR(nearest(diagram, SpecialKind::contact_change, 4.5032556595), 4.5032556595, 5e-10);
-  for (const Branch& branch : diagram.branches)
+  for (const OrbitBranch& branch : diagram.branches)
     EXPECT_NE(branch.ended, "the corrector fails") << branch.sequence;
 }
 
 // Without restitution the impact turns into a phase of sticking, which ends as the closed form says.
 TEST(PastChange, GoesOnWhereAContactBeginsToStick) {
   const Problem problem = test::to_problem({.damping = 0.02, .gap = 0.2, .restitution = 0.0});
-  const BranchDiagram diagram = diagram_of(problem, 1.3, 3.0, {.max_order = 1});
-  const Branch* one = branch_of(diagram, 1, 1);
+  const OrbitDiagram diagram = diagram_of(problem, 1.3, 3.0, {.max_order = 1});
+  const OrbitBranch* one = branch_of(diagram, 1, 1);
   ASSERT_TRUE(one);
   EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, 2.246), 2.246134137, 1e-9);
   EXPECT_NEAR(nearest(*one, SpecialKind::contact_change, 1.659), 1.659239862581, 1e-11);
-  const auto stick = std::find_if(diagram.branches.begin(), diagram.branches.end(), [](const Branch& branch) {
-    return branch.sequence == "order 1, events C0 O0";
-  });
+  const auto stick =
+      std::find_if(diagram.branches.begin(), diagram.branches.end(),
+                   [](const OrbitBranch& branch) { return branch.sequence == "order 1, events C0 O0"; });
   ASSERT_NE(stick, diagram.branches.end());
   EXPECT_NEAR(stick->points.front().parameter, 1.659239862581, 1e-11);
   EXPECT_NEAR(stick->points.back().parameter, 1.3, 1e-12);
   // While it sticks the load pushes: it lets go where F cos(w t) = k g, and the motion forgets all before.
   for (std::size_t i = 1; i < stick->points.size(); ++i) {
-    const BranchPoint& point = stick->points[i];
-    const SequenceEvent& open = point.orbit.events.back();
+    const SolutionPoint& point = stick->points[i];
+    const SequenceEvent& open = stick->orbits[i].events.back();
     ASSERT_EQ(open.kind, ContactEvent::Kind::open);
     EXPECT_NEAR(std::cos(point.parameter * open.time), 0.2, 1e-10);
     EXPECT_EQ(point.stability, OrbitStability::stable);

@@ -39,7 +39,7 @@ class ResponseOfTheImpactOscillator : public testing::TestWithParam<OscillatorTr
 
 TEST_P(ResponseOfTheImpactOscillator, MeetsTheSpecialPointsOfItsClosedForm) {
   const OscillatorTruth& truth = GetParam();
-  const BranchDiagram diagram = diagram_of(test::to_problem(oscillator()), 1.5, 4.5);
+  const OrbitDiagram diagram = diagram_of(test::to_problem(oscillator()), 1.5, 4.5);
   const Branch *free = branch_of(diagram, 1, 0), *one = branch_of(diagram, 1, 1),
                *two = branch_of(diagram, 2, 1);
   ASSERT_TRUE(free && one && two);
@@ -48,16 +48,17 @@ TEST_P(ResponseOfTheImpactOscillator, MeetsTheSpecialPointsOfItsClosedForm) {
   EXPECT_NEAR(nearest(*two, SpecialKind::fold, 3.6), truth.fold, kLocated);
   EXPECT_NEAR(nearest(*two, SpecialKind::period_doubling, 2.9), truth.doubling_of_two, kLocated);
   EXPECT_EQ(diagram.unfinished, "");
-  for (const Branch& branch : diagram.branches) EXPECT_FALSE(branch.began.empty() || branch.ended.empty());
+  for (const OrbitBranch& branch : diagram.branches)
+    EXPECT_FALSE(branch.began.empty() || branch.ended.empty());
 }
 
 // Orbits at the ends of branches graze, where a polish refuses them.
 TEST_P(ResponseOfTheImpactOscillator, HasPointsThatAreOrbitsOfTheScene) {
   const ParametrisedScene scene = over_frequency(test::to_problem(oscillator()), 1.5, 4.5);
-  for (const Branch& branch : diagram_of(scene.at(2.0), scene.from, scene.to).branches) {
+  for (const OrbitBranch& branch : diagram_of(scene.at(2.0), scene.from, scene.to).branches) {
     for (std::size_t i = 1; i + 1 < branch.points.size(); ++i) {
-      const BranchPoint& point = branch.points[i];
-      const ExactOrbit orbit = polished(scene, point);
+      const SolutionPoint& point = branch.points[i];
+      const ExactOrbit orbit = polished(scene, branch, i);
       ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << point.parameter << " " << orbit.reason;
       EXPECT_LE(orbit.iterations, 2) << point.parameter;
       EXPECT_EQ(point.stability == OrbitStability::stable, orbit.largest_multiplier() < 1.0)
@@ -78,13 +79,13 @@ TEST_P(ResponseOfTheImpactOscillator, HasPointsThatAreOrbitsOfTheScene) {
 // displacement by no more than speed times that.
 TEST_P(ResponseOfTheImpactOscillator, NowhereJumps) {
   constexpr double kMost = 4.0;  // times as far as the longest step
-  const double longest = CurveOptions{}.largest_step;
+  const double longest = kLongestStep;
   const Problem problem = test::to_problem(oscillator());
   OrbitFamily family(over_frequency(problem, 1.5, 4.5));
   const CurveUnits& units = family.units();
-  for (const Branch& branch : diagram_of(problem, 1.5, 4.5, {.curve = {.phases = 64}}).branches) {
+  for (const OrbitBranch& branch : diagram_of(problem, 1.5, 4.5, {.phases = 64}).branches) {
     for (std::size_t i = 1; i < branch.points.size(); ++i) {
-      const BranchPoint &a = branch.points[i - 1], &b = branch.points[i];
+      const SolutionPoint &a = branch.points[i - 1], &b = branch.points[i];
       EXPECT_LE(std::abs(b.parameter - a.parameter), 1.01 * longest * units.parameter);
       ASSERT_EQ(a.motion.rows(), b.motion.rows());
       EXPECT_LE((b.motion - a.motion).cwiseAbs().maxCoeff(), kMost * longest * units.displacement)
@@ -105,8 +106,8 @@ INSTANTIATE_TEST_SUITE_P(ClosedForms, ResponseOfTheImpactOscillator,
 TEST(TraceDiagram, LocatesTheSamePointsWithOtherSteps) {
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8});
   for (const double step : {0.03, 0.4}) {
-    const BranchDiagram diagram = diagram_of(problem, 1.5, 4.5, {.curve = {.largest_step = step}});
-    const Branch* two = branch_of(diagram, 2, 1);
+    const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.5, {.step_share = step / kLongestStep});
+    const OrbitBranch* two = branch_of(diagram, 2, 1);
     ASSERT_TRUE(two);
     EXPECT_NEAR(nearest(*two, SpecialKind::fold, 3.6), 3.6934249832, kLocated) << step;
     EXPECT_NEAR(nearest(*two, SpecialKind::period_doubling, 2.9), 2.8875236601, kLocated) << step;
@@ -116,7 +117,7 @@ TEST(TraceDiagram, LocatesTheSamePointsWithOtherSteps) {
 
 // The doubled orbits that leave (1, 1) end at the grazing at which those of (1, 2) take a second impact.
 TEST(TraceDiagram, FindsTheDoubledOrbitsOnceAndClosesTheGraph) {
-  const BranchDiagram diagram = diagram_of(test::to_problem({.damping = 0.1, .gap = 0.2}), 1.5, 4.5);
+  const OrbitDiagram diagram = diagram_of(test::to_problem({.damping = 0.1, .gap = 0.2}), 1.5, 4.5);
   ASSERT_EQ(diagram.branches.size(), 4U);
   const Branch *two = branch_of(diagram, 2, 1), *doubled = branch_of(diagram, 2, 2);
   ASSERT_TRUE(two && doubled);
@@ -126,12 +127,12 @@ TEST(TraceDiagram, FindsTheDoubledOrbitsOnceAndClosesTheGraph) {
 
 // Without loss multipliers stay on the circle: no orbit is stable, and the doubling is a double -1.
 TEST(TraceDiagram, TellsMotionsWithoutLossRightly) {
-  const BranchDiagram diagram = diagram_of(test::to_problem({.damping = 0.0, .gap = 0.2}), 1.9, 4.5);
-  const Branch* one = branch_of(diagram, 1, 1);
+  const OrbitDiagram diagram = diagram_of(test::to_problem({.damping = 0.0, .gap = 0.2}), 1.9, 4.5);
+  const OrbitBranch* one = branch_of(diagram, 1, 1);
   ASSERT_TRUE(one);
   EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, 2.26), 2.2661984962, kLocated);
   int elliptic = 0;
-  for (const BranchPoint& point : one->points) {
+  for (const SolutionPoint& point : one->points) {
     EXPECT_NE(point.stability, OrbitStability::stable) << point.parameter;
     if (point.stability != OrbitStability::elliptic) continue;
     ++elliptic;
@@ -143,12 +144,12 @@ TEST(TraceDiagram, TellsMotionsWithoutLossRightly) {
 // From an orbit in the middle of the interval both ways, as one branch.
 TEST(TraceDiagram, JoinsTheTwoHalvesOfABranch) {
   OrbitFamily family(over_frequency(test::to_problem({.damping = 0.1, .gap = 0.2}), 2.0, 4.0));
-  const BranchDiagram diagram = trace_diagram(family, {contact_free_orbit(family, 3.0).value()}, {});
-  const Branch* free = branch_of(diagram, 1, 0);
+  const OrbitDiagram diagram = trace_diagram(family, {contact_free_orbit(family, 3.0).value()}, {});
+  const OrbitBranch* free = branch_of(diagram, 1, 0);
   ASSERT_TRUE(free);
   const auto [least, most] = std::minmax_element(
       free->points.begin(), free->points.end(),
-      [](const BranchPoint& a, const BranchPoint& b) { return a.parameter < b.parameter; });
+      [](const SolutionPoint& a, const SolutionPoint& b) { return a.parameter < b.parameter; });
   EXPECT_NEAR(least->parameter, 2.448265181813, 1e-11);
   EXPECT_NEAR(most->parameter, 4.0, 1e-12);
   for (const SpecialPoint& special : free->special) EXPECT_LE(special.after, free->points.size());
@@ -159,12 +160,12 @@ TEST(TraceDiagram, FollowsImpactsOnBothStopsFromASymmetricGrazing) {
   Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8});
   problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.2});
   const ParametrisedScene scene = over_frequency(problem, 1.5, 4.5);
-  const BranchDiagram diagram = diagram_of(problem, 1.5, 4.5);
-  const Branch* both = branch_of(diagram, 1, 2);
+  const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.5);
+  const OrbitBranch* both = branch_of(diagram, 1, 2);
   ASSERT_TRUE(both);
   EXPECT_GT(both->points.size(), 10U);
   for (std::size_t i = 1; i + 1 < both->points.size(); ++i) {
-    const ExactOrbit orbit = polished(scene, both->points[i]);
+    const ExactOrbit orbit = polished(scene, *both, i);
     ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << both->points[i].parameter << " " << orbit.reason;
     const auto& impulses = orbit.trajectory->impulses();
     ASSERT_EQ(impulses.size(), 2U);
@@ -175,12 +176,12 @@ TEST(TraceDiagram, FollowsImpactsOnBothStopsFromASymmetricGrazing) {
 
 TEST(TraceDiagram, StopsAtItsLimitsAndSaysSo) {
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2});
-  const BranchDiagram few = diagram_of(problem, 1.5, 4.5, {.max_branches = 2});
+  const OrbitDiagram few = diagram_of(problem, 1.5, 4.5, {.max_branches = 2});
   EXPECT_EQ(few.branches.size(), 2U);
   EXPECT_NE(few.unfinished.find("limit of 2"), std::string::npos) << few.unfinished;
-  const BranchDiagram brief = diagram_of(problem, 1.5, 4.5, {.curve = {.max_points = 5}});
+  const OrbitDiagram brief = diagram_of(problem, 1.5, 4.5, {.max_points = 5});
   EXPECT_EQ(brief.branches.at(0).ended, "limit of 5 points");
-  const BranchDiagram late = diagram_of(problem, 1.5, 4.5, {.curve = {.expired = [] { return true; }}});
+  const OrbitDiagram late = diagram_of(problem, 1.5, 4.5, {.stopped = [] { return true; }});
   EXPECT_TRUE(late.branches.empty());
 }
 
@@ -188,12 +189,12 @@ TEST(TraceDiagram, FollowsOneImpactOfAChainAsItsClosedForm) {
   constexpr double kRestitution = 0.8;
   const Problem problem = test::stopped_chain(2, kRestitution);
   const ParametrisedScene scene = over_frequency(problem, 0.5, 3.0);
-  const BranchDiagram diagram = diagram_of(problem, scene.from, scene.to, {.max_branches = 12});
+  const OrbitDiagram diagram = diagram_of(problem, scene.from, scene.to, {.max_branches = 12});
   int compared = 0;
-  for (const Branch& branch : diagram.branches) {
+  for (const OrbitBranch& branch : diagram.branches) {
     for (std::size_t i = 1; i + 1 < branch.points.size(); ++i) {
-      const BranchPoint& point = branch.points[i];
-      const ExactOrbit orbit = polished(scene, point);
+      const SolutionPoint& point = branch.points[i];
+      const ExactOrbit orbit = polished(scene, branch, i);
       ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << point.parameter << " " << orbit.reason;
       if (point.impacts != 1) continue;
       const double mass = 1.0 / delassus_matrix(problem)(0, 0);

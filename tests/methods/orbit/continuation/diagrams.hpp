@@ -12,10 +12,10 @@ namespace signorini::test {
 
 inline constexpr double kLocated = 1e-9;  // of a special point, as its closed form is known [rad/s]
 
-inline BranchDiagram diagram_of(const Problem& problem, double from, double to,
-                                const DiagramOptions& options = {}) {
+inline OrbitDiagram diagram_of(const Problem& problem, double from, double to,
+                               const CurveLimits& limits = {}) {
   OrbitFamily family(over_frequency(problem, from, to));
-  return trace_diagram(family, {contact_free_orbit(family, to).value()}, options);
+  return trace_diagram(family, {contact_free_orbit(family, to).value()}, limits);
 }
 
 // [a b; b c].
@@ -29,9 +29,9 @@ inline SparseMatrix symmetric(double a, double b, double c) {
 }
 
 // The branch of orbits of an order with so many impacts.
-inline const Branch* branch_of(const BranchDiagram& diagram, int order, int impacts) {
+inline const OrbitBranch* branch_of(const OrbitDiagram& diagram, int order, int impacts) {
   const auto found =
-      std::find_if(diagram.branches.begin(), diagram.branches.end(), [&](const Branch& branch) {
+      std::find_if(diagram.branches.begin(), diagram.branches.end(), [&](const OrbitBranch& branch) {
         return branch.points.front().order == order && branch.points[1].impacts == impacts;
       });
   return found == diagram.branches.end() ? nullptr : &*found;
@@ -48,19 +48,20 @@ inline double nearest(const Branch& branch, SpecialKind kind, double to) {
 }
 
 // The same among all branches.
-inline double nearest(const BranchDiagram& diagram, SpecialKind kind, double to) {
+inline double nearest(const OrbitDiagram& diagram, SpecialKind kind, double to) {
   double best = 1e300;
-  for (const Branch& branch : diagram.branches) {
+  for (const OrbitBranch& branch : diagram.branches) {
     const double here = nearest(branch, kind, to);
     if (std::abs(here - to) < std::abs(best - to)) best = here;
   }
   return best;
 }
 
-// The orbit of a point of a branch, polished on the scene at its parameter.
-inline ExactOrbit polished(const ParametrisedScene& scene, const BranchPoint& point) {
+// The orbit of the i-th point of a branch, polished on the scene at its parameter.
+inline ExactOrbit polished(const ParametrisedScene& scene, const OrbitBranch& branch, std::size_t i) {
+  const SolutionPoint& point = branch.points[i];
   const auto model = std::make_shared<OrbitModel>(with_subharmonic(scene.at(point.parameter), point.order));
-  return polish_sequence(model, point.orbit);
+  return polish_sequence(model, branch.orbits[i]);
 }
 
 }  // namespace signorini::test

@@ -59,18 +59,20 @@ TEST(OneImpactOrbits, LeadThroughTheLawOfImpact) {
                         changed.restitution = e;
                         return test::to_problem(changed);
                       }});
-  const BranchDiagram diagram = trace_diagram(family, one_impact_orbits(family, 1.0, 0, 1), {});
+  const OrbitDiagram diagram = trace_diagram(family, one_impact_orbits(family, 1.0, 0, 1), {});
   ASSERT_EQ(diagram.branches.size(), 1U);
   EXPECT_NEAR(diagram.branches[0].points.back().parameter + diagram.branches[0].points.front().parameter, 1.3,
               1e-12);
-  for (const BranchPoint& point : diagram.branches[0].points) {
+  for (std::size_t i = 0; i < diagram.branches[0].points.size(); ++i) {
+    const SolutionPoint& point = diagram.branches[0].points[i];
+    const OrbitGuess& orbit = diagram.branches[0].orbits[i];
     test::ImpactOscillator changed = oscillator;
     changed.restitution = point.parameter;
-    EXPECT_NEAR(point.orbit.events.at(0).restitution.at(0), point.parameter, 1e-15);
-    const double v0 = point.orbit.start.state.v[0];
+    EXPECT_NEAR(orbit.events.at(0).restitution.at(0), point.parameter, 1e-15);
+    const double v0 = orbit.start.state.v[0];
     double distance = 1.0;
     for (const test::SingleImpactOrbit& exact : test::single_impact_orbits(changed))
-      distance = std::min(distance, std::abs(exact.velocity(point.orbit.start.time) - v0));
+      distance = std::min(distance, std::abs(exact.velocity(orbit.start.time) - v0));
     EXPECT_LT(distance, 1e-9) << point.parameter;
   }
 }
@@ -79,8 +81,8 @@ TEST(OneImpactOrbits, LeadThroughTheLawOfImpact) {
 TEST(OneImpactOrbits, LeadToIsolatedBranches) {
   OrbitFamily family(
       over_frequency(test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8}), 1.6, 8.0));
-  const BranchDiagram diagram = trace_diagram(family, one_impact_orbits(family, 4.0, 0, 3), {.max_order = 3});
-  const Branch* three = branch_of(diagram, 3, 1);
+  const OrbitDiagram diagram = trace_diagram(family, one_impact_orbits(family, 4.0, 0, 3), {.max_order = 3});
+  const OrbitBranch* three = branch_of(diagram, 3, 1);
   ASSERT_TRUE(three);
   EXPECT_NEAR(nearest(*three, SpecialKind::fold, 5.27), 5.276178, 1e-6);
   EXPECT_NEAR(nearest(*three, SpecialKind::grazing, 3.10), 3.102486, 1e-6);
@@ -93,9 +95,9 @@ TEST(OneImpactOrbits, LeadToIsolatedBranches) {
 TEST(OneImpactOrbits, LeadOnceAroundAClosedBranch) {
   test::ImpactOscillator oscillator{.damping = 0.1, .gap = 0.6, .restitution = 0.5, .order = 2};
   OrbitFamily family(over_frequency(test::to_problem(oscillator), 0.7, 3.0));
-  const BranchDiagram diagram = trace_diagram(family, one_impact_orbits(family, 2.2, 0, 2), {});
+  const OrbitDiagram diagram = trace_diagram(family, one_impact_orbits(family, 2.2, 0, 2), {});
   ASSERT_EQ(diagram.branches.size(), 1U);
-  const Branch& loop = diagram.branches[0];
+  const OrbitBranch& loop = diagram.branches[0];
   EXPECT_EQ(loop.ended, "the branch closes");
   EXPECT_EQ(loop.points.front().parameter, loop.points.back().parameter);
   EXPECT_EQ(std::count_if(loop.special.begin(), loop.special.end(),
@@ -128,16 +130,16 @@ TEST(OneImpactOrbits, LeadToNonsmoothModes) {
   for (const double omega : {0.7, 0.9}) {
     for (SequencedOrbit& orbit : one_impact_orbits(family, omega, 0, 1)) seeds.push_back(std::move(orbit));
   }
-  const BranchDiagram diagram = trace_diagram(family, seeds, {.max_order = 1});
+  const OrbitDiagram diagram = trace_diagram(family, seeds, {.max_order = 1});
   std::vector<double> doublings, turns;
   int compared = 0;
-  for (const Branch& branch : diagram.branches) {
+  for (const OrbitBranch& branch : diagram.branches) {
     if (branch.sequence != "order 1, events I0") continue;
     for (const SpecialPoint& special : branch.special) {
       if (special.kind == SpecialKind::period_doubling) doublings.push_back(special.point.parameter);
       if (special.kind == SpecialKind::fold) turns.push_back(special.point.parameter);
     }
-    for (const BranchPoint& point : branch.points) {
+    for (const SolutionPoint& point : branch.points) {
       if (point.energy.value() > 100.0) continue;  // towards a linear mode it is unbounded
       const double T = 2.0 * std::numbers::pi / point.parameter;
       double S = 0.0, spread = 0.0;

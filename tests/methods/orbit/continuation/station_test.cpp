@@ -11,6 +11,7 @@
 #include <cmath>
 #include <random>
 
+#include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/curve.hpp"
 #include "problems/assembly/chain.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"
@@ -45,12 +46,9 @@ Problem watched_chain(std::mt19937& random, int number) {
   return problem;
 }
 
-TracedCurve traced(OrbitFamily& family, const BranchPoint& from, const BranchPoint& to) {
-  const auto placed = [&](const BranchPoint& point) {
-    return sequenced(family, point.orbit, kTwoPi * point.order / point.frequency, point.frequency,
-                     point.parameter);
-  };
-  const SequencedOrbit first = placed(from), second = placed(to);
+// From the second point of a branch towards the third.
+TracedCurve traced(OrbitFamily& family, const OrbitBranch& branch) {
+  const SequencedOrbit first = orbit_of(family, branch, 1), second = orbit_of(family, branch, 2);
   ExtendedEquations equations(family, first);
   if (first.x.size() != second.x.size() || !equations.evaluate(first.x))
     return {.branch = {}, .rejected = "not the same"};
@@ -65,13 +63,9 @@ struct Peak {
   double height = -1e300;
   double parameter = 0.0;
 };
-Peak peak_between(OrbitFamily& family, const BranchPoint& a, const BranchPoint& b) {
+Peak peak_after(OrbitFamily& family, const OrbitBranch& branch, std::size_t i) {
   constexpr int kSamples = 32;
-  const auto placed = [&](const BranchPoint& point) {
-    return sequenced(family, point.orbit, kTwoPi * point.order / point.frequency, point.frequency,
-                     point.parameter);
-  };
-  const SequencedOrbit first = placed(a), second = placed(b);
+  const SequencedOrbit first = orbit_of(family, branch, i), second = orbit_of(family, branch, i + 1);
   Peak peak;
   if (first.x.size() != second.x.size() || first.section != second.section) return peak;
   const Eigen::VectorXd chord = second.x - first.x;
@@ -95,21 +89,21 @@ TEST(HiddenViolation, IsFoundWhereverAStopLiesBetweenThePeaksOfThePointsAndThatB
     problem.frequency = kFrom;
     OrbitFamily far(over_frequency(problem, kFrom, kTo),
                     {.displacement = 1.0, .velocity = 1.5, .parameter = (kTo - kFrom) / 3.0});
-    const BranchDiagram diagram = trace_diagram(far, {contact_free_orbit(far, kTo).value()},
-                                                {.curve = {.max_points = 60}, .max_branches = 4});
-    for (const Branch& branch : diagram.branches) {
+    const OrbitDiagram diagram =
+        trace_diagram(far, {contact_free_orbit(far, kTo).value()}, {.max_branches = 4, .max_points = 60});
+    for (const OrbitBranch& branch : diagram.branches) {
       if (branch.points.size() < 4) continue;
-      const TracedCurve open = traced(far, branch.points[1], branch.points[2]);
-      const std::vector<BranchPoint>& points = open.branch.points;
+      const TracedCurve open = traced(far, branch);
+      const std::vector<SolutionPoint>& points = open.branch.points;
       for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         const double here = std::max(points[i].x_max[1], points[i + 1].x_max[1]);
-        const Peak peak = peak_between(far, points[i], points[i + 1]);
+        const Peak peak = peak_after(far, open.branch, i);
         const bool cleared_before = std::all_of(points.begin(), points.begin() + static_cast<long>(i),
                                                 [&](const auto& point) { return point.x_max[1] < here; });
         if (peak.height < here + 1e-8 || !cleared_before) continue;
         problem.contacts[1].gap = here + 1e-3 * (peak.height - here);
         OrbitFamily near(over_frequency(problem, kFrom, kTo), far.units());
-        const TracedCurve stopped = traced(near, branch.points[1], branch.points[2]);
+        const TracedCurve stopped = traced(near, branch);
         ++hidden;
         const bool ends =
             stopped.guard && stopped.guard->kind == GuardKind::clearance && stopped.guard->index == 1;

@@ -8,6 +8,7 @@
 #include <complex>
 #include <numbers>
 
+#include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/contact_changes.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"
@@ -72,10 +73,10 @@ TEST(StickingChanges, LocateTheGrazingOfAMotionThatSticksWhateverTheSteps) {
   });
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.0});
   for (const double step : {0.03, 0.05, 0.15, 0.4}) {
-    const BranchDiagram diagram = diagram_of(problem, 1.5, 4.0, {.curve = {.largest_step = step}});
+    const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.0, {.step_share = step / kLongestStep});
     for (const char* sequence : {"order 2, events C0 O0", "order 2, events I0 C0 O0"}) {
       const auto branch = std::find_if(diagram.branches.begin(), diagram.branches.end(),
-                                       [&](const Branch& b) { return b.sequence == sequence; });
+                                       [&](const OrbitBranch& b) { return b.sequence == sequence; });
       ASSERT_NE(branch, diagram.branches.end()) << sequence;
       EXPECT_NEAR(nearest(*branch, SpecialKind::grazing, truth), truth, 1e-10) << sequence << " " << step;
     }
@@ -88,16 +89,17 @@ TEST(StickingChanges, LocateTheGrazingOfAMotionThatSticksWhateverTheSteps) {
 TEST(StickingChanges, BeginAShortFlightWhereAClosingMeetsNoForce) {
   const Problem problem = test::to_problem({.damping = 0.02, .gap = 0.2, .restitution = 0.0});
   const ParametrisedScene scene = over_frequency(problem, 0.5, 3.0);
-  const BranchDiagram diagram = diagram_of(problem, 0.5, 3.0, {.max_order = 1});
-  const auto flight = std::find_if(diagram.branches.begin(), diagram.branches.end(), [](const Branch& b) {
-    return b.began.find("short flight") != std::string::npos && b.points.front().parameter > 0.5;
-  });
+  const OrbitDiagram diagram = diagram_of(problem, 0.5, 3.0, {.max_order = 1});
+  const auto flight =
+      std::find_if(diagram.branches.begin(), diagram.branches.end(), [](const OrbitBranch& b) {
+        return b.began.find("short flight") != std::string::npos && b.points.front().parameter > 0.5;
+      });
   ASSERT_NE(flight, diagram.branches.end());
   EXPECT_NEAR(nearest(diagram, SpecialKind::contact_change, 0.5594), 0.559371783202, 1e-11);
   EXPECT_NEAR(flight->points.front().parameter, 0.559371783202, 1e-11);
   int compared = 0;
   for (std::size_t i = 2; i + 1 < flight->points.size(); ++i) {
-    const ExactOrbit orbit = polished(scene, flight->points[i]);
+    const ExactOrbit orbit = polished(scene, *flight, i);
     if (orbit.outcome == OrbitOutcome::grazing) continue;  // a flight too short for a polish
     ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << orbit.reason;
     ++compared;
@@ -108,14 +110,15 @@ TEST(StickingChanges, BeginAShortFlightWhereAClosingMeetsNoForce) {
 // Events of the orbit with the second oracle at w = .5: impact, closing and release.
 TEST(StickingChanges, ReachTheFlightsOfTheClosedForm) {
   const Problem problem = test::to_problem({.damping = 0.02, .gap = 0.2, .restitution = 0.0});
-  const BranchDiagram diagram = diagram_of(problem, 0.4, 3.0, {.curve = {.at = {0.5}}, .max_order = 1});
+  const OrbitDiagram diagram = diagram_of(problem, 0.4, 3.0, {.max_order = 1, .at = {0.5}});
   constexpr double kPeriod = 4.0 * std::numbers::pi;
   int found = 0;
-  for (const Branch& branch : diagram.branches) {
-    for (const BranchPoint& point : branch.points) {
-      if (std::abs(point.parameter - 0.5) > 1e-12 || point.orbit.events.size() != 3) continue;
+  for (const OrbitBranch& branch : diagram.branches) {
+    for (std::size_t i = 0; i < branch.points.size(); ++i) {
+      const std::vector<SequenceEvent>& events = branch.orbits[i].events;
+      if (std::abs(branch.points[i].parameter - 0.5) > 1e-12 || events.size() != 3) continue;
       ++found;
-      for (const SequenceEvent& event : point.orbit.events) {
+      for (const SequenceEvent& event : events) {
         const double truth = event.kind == ContactEvent::Kind::impact  ? 9.4661871002
                              : event.kind == ContactEvent::Kind::close ? 10.5184268516
                                                                        : 2.7388768120;
@@ -132,28 +135,26 @@ TEST(StickingChanges, ReachTheFlightsOfTheClosedForm) {
 TEST(StickingChanges, LeadAChainThroughInterruptionsBothWays) {
   const ParametrisedScene scene = over_frequency(load_scene(find_scene("chain2-stick")), 0.2, 6.0);
   OrbitFamily family(scene);
-  const BranchDiagram down =
+  const OrbitDiagram down =
       trace_diagram(family, {contact_free_orbit(family, 6.0).value()}, {.max_order = 1});
   EXPECT_TRUE(down.notes.empty()) << down.notes.front();
   EXPECT_NEAR(down.branches.back().points.back().parameter, 0.2, 2e-15);  // to which `locate` goes
-  const Branch* merged = nullptr;
-  for (const Branch& branch : down.branches) {
+  const OrbitBranch* merged = nullptr;
+  for (const OrbitBranch& branch : down.branches) {
     EXPECT_NE(branch.ended, "the corrector fails") << branch.sequence;
     if (branch.began.find("has ended") != std::string::npos) merged = &branch;
     for (std::size_t i = 1; i + 1 < branch.points.size(); i += 3) {
-      const ExactOrbit orbit = polished(scene, branch.points[i]);
+      const ExactOrbit orbit = polished(scene, branch, i);
       EXPECT_TRUE(orbit.certified() || orbit.outcome == OrbitOutcome::grazing)
           << branch.sequence << " at " << branch.points[i].parameter << ": " << orbit.reason;
     }
   }
   ASSERT_NE(merged, nullptr);
-  const BranchPoint& middle = merged->points[merged->points.size() / 2];
-  const SequencedOrbit seed =
-      sequenced(family, middle.orbit, kTwoPi / middle.frequency, middle.frequency, middle.parameter);
-  const BranchDiagram up = trace_diagram(family, {seed}, {.max_order = 1, .max_branches = 3});
-  const auto interrupted = std::find_if(up.branches.begin(), up.branches.end(), [](const Branch& branch) {
-    return branch.began.find("interrupted") != std::string::npos;
-  });
+  const SequencedOrbit seed = orbit_of(family, *merged, merged->points.size() / 2);
+  const OrbitDiagram up = trace_diagram(family, {seed}, {.max_order = 1, .max_branches = 3});
+  const auto interrupted = std::find_if(
+      up.branches.begin(), up.branches.end(),
+      [](const OrbitBranch& branch) { return branch.began.find("interrupted") != std::string::npos; });
   ASSERT_NE(interrupted, up.branches.end());
   EXPECT_NEAR(interrupted->points.front().parameter, merged->points.front().parameter, 1e-10);
   EXPECT_GT(interrupted->points.size(), 10U);

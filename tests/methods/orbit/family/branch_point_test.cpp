@@ -105,8 +105,8 @@ TEST(BranchPoint, IsWhereTheClosedFormLosesItsSymmetry) {
     const SymmetricImpacts seed(where.restitution, 1.2);
     const SequencedOrbit orbit = sequenced(family, seed.orbit(), 2.0 * seed.half(), 1.2, 1.2);
     for (const double step : {0.15, 0.04}) {
-      const BranchDiagram diagram =
-          trace_diagram(family, {orbit}, {.curve = {.largest_step = step}, .max_branches = 3});
+      const OrbitDiagram diagram =
+          trace_diagram(family, {orbit}, {.max_branches = 3, .step_share = step / kLongestStep});
       EXPECT_NEAR(test::nearest(diagram, SpecialKind::branch_point, exact), exact, 1e-12)
           << where.restitution << " " << step;
       EXPECT_EQ(diagram.branches.size(), 3U);

@@ -29,7 +29,7 @@ test::ImpactOscillator oscillator(const Row& row) {
 }
 
 // The branches through the orbit that the oscillator comes to.
-BranchDiagram diagram_through(OrbitFamily& family, const Problem& problem, double parameter) {
+OrbitDiagram diagram_through(OrbitFamily& family, const Problem& problem, double parameter) {
   const auto found = test::cold_orbit(problem);
   EXPECT_TRUE(found.orbit) << found.solution.message;
   const SequencedOrbit seed =
@@ -73,9 +73,9 @@ TEST(Chatter, IsFollowedToTheValuesOfTheTable) {
     Problem problem = test::to_problem(oscillator(row));
     OrbitFamily family(over_frequency(problem, from, to));
     problem.frequency = start;
-    const BranchDiagram diagram = diagram_through(family, problem, start);
+    const OrbitDiagram diagram = diagram_through(family, problem, start);
     std::size_t found = 0;
-    for (const Branch& branch : diagram.branches) {
+    for (const OrbitBranch& branch : diagram.branches) {
       for (const SequencedOrbit& orbit : orbits_at(family, branch, row.frequency)) {
         ExtendedEquations equations(family, orbit);
         ASSERT_TRUE(equations.evaluate(orbit.x));
@@ -98,9 +98,9 @@ TEST(Chatter, HasAsManyImpactsAsItNeedsAndEndsAtItsLimit) {
   Problem problem = test::to_problem(oscillator(row));
   OrbitFamily family(over_frequency(problem, 0.3, 0.9));
   problem.frequency = 0.4;
-  const BranchDiagram diagram = diagram_through(family, problem, 0.4);
+  const OrbitDiagram diagram = diagram_through(family, problem, 0.4);
   ASSERT_FALSE(diagram.branches.empty());
-  const Branch& branch = diagram.branches.front();
+  const OrbitBranch& branch = diagram.branches.front();
   EXPECT_TRUE(branch.ended.starts_with(kChatterLimit) || branch.began.starts_with(kChatterLimit))
       << branch.began << "; " << branch.ended;
   // Found before at .524795 with 12 impacts resolved, at .524568 with 19.
@@ -108,13 +108,14 @@ TEST(Chatter, HasAsManyImpactsAsItNeedsAndEndsAtItsLimit) {
   EXPECT_NEAR(limit, 0.5245, 2e-4);
   EXPECT_NEAR(std::min(branch.points.front().parameter, branch.points.back().parameter), 0.3, 1e-12);
   std::size_t least = 1000, most = 0;
-  for (const BranchPoint& point : branch.points) {
-    const ExactOrbit orbit = polished(family.scene(), point);
+  for (std::size_t i = 0; i < branch.points.size(); ++i) {
+    const SolutionPoint& point = branch.points[i];
+    const ExactOrbit orbit = polished(family.scene(), branch, i);
     EXPECT_TRUE(orbit.certified()) << point.parameter << ": " << orbit.reason;
     EXPECT_EQ(point.stability, OrbitStability::stable);
     EXPECT_LE(point.x_max[0], 0.2 + 1e-11);
-    least = std::min(least, point.orbit.events.size());
-    most = std::max(most, point.orbit.events.size());
+    least = std::min(least, branch.orbits[i].events.size());
+    most = std::max(most, branch.orbits[i].events.size());
   }
   EXPECT_GE(least, 10U);
   EXPECT_GT(most, least);
@@ -131,7 +132,7 @@ TEST(Chatter, ForgetsTheRestitutionAlongACurveOfIt) {
                                   return test::to_problem(oscillator(other));
                                 }};
   OrbitFamily family(scene);
-  const BranchDiagram diagram = diagram_through(family, scene.at(0.45), 0.45);
+  const OrbitDiagram diagram = diagram_through(family, scene.at(0.45), 0.45);
   ASSERT_FALSE(diagram.branches.empty());
   std::size_t impacts = 0;
   for (const double e : {0.2, 0.3, 0.4, 0.5}) {

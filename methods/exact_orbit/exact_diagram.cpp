@@ -1,0 +1,108 @@
+#include "methods/exact_orbit/exact_diagram.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "methods/orbit/continuation/diagram.hpp"
+#include "methods/orbit/continuation/one_impact_orbits.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
+#include "methods/orbit/orbit_guess.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kValues = 11;  // inside the interval
+
+class Beginnings {
+ public:
+  Beginnings(OrbitFamily& family, const Method& method, const CurveLimits& limits)
+      : family_(family), method_(method), limits_(limits) {}
+
+  std::vector<SequencedOrbit> find() {
+    if (family_.driven()) {  // else at rest
+      add_contact_free();
+      add_answers();
+    }
+    add_one_impact();
+    for (const KnownMotion& known : limits_.begin_at)
+      if (family_.driven()) add(known);
+    return std::move(orbits_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void add_contact_free() {
+    for (const double end : {family_.scene().from, family_.scene().to})
+      if (auto free = contact_free_orbit(family_, end)) orbits_.push_back(std::move(*free));
+  }
+
+  void add_answers() {
+    constexpr double kShare = 0.1;  // of the time, for those inside
+    const Clock::time_point begin = Clock::now();
+    const std::chrono::duration<double> time = limits_.deadline - begin;
+    add_answer(family_.scene().from);
+    add_answer(family_.scene().to);
+    for (int i = 0; i < kValues && Clock::now() - begin <= kShare * time; ++i) add_answer(value_inside(i));
+  }
+
+  void add_answer(double parameter) {
+    const Problem problem = family_.scene().at(parameter);
+    if (limits_.expired() || !method_.supports(problem).ok || prefers_reduction(problem)) return;
+    const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
+    if (solution.verdict == Verdict::converged) add({parameter, solution.trajectory});
+  }
+
+  void add_one_impact() {
+    const int contacts = family_.scene().at(family_.scene().from).contact_count();
+    for (int i = 0; i < kValues && !limits_.expired(); ++i) {
+      for (int order = 1; order <= (family_.driven() ? limits_.max_order : 1); ++order) {
+        for (int contact = 0; contact < contacts; ++contact) {
+          for (SequencedOrbit& orbit : one_impact_orbits(family_, value_inside(i), contact, order))
+            orbits_.push_back(std::move(orbit));
+        }
+      }
+    }
+  }
+
+  void add(const KnownMotion& known) {
+    const Problem problem = family_.scene().at(known.parameter);
+    if (!known.motion || prefers_reduction(problem)) return;  // an orbit of the reduced structure
+    const double period = known.motion->period();
+    const auto order = static_cast<int>(std::lround(period * problem.frequency / kTwoPi));
+    if (order < 1 || order > std::max(limits_.max_order, problem.subharmonic)) return;
+    if (const auto exact = std::dynamic_pointer_cast<const ExactTrajectory>(known.motion)) {
+      orbits_.push_back(sequenced(family_, exact->orbit(), period, problem.frequency, known.parameter));
+      return;
+    }
+    OrbitModel model(with_subharmonic(problem, order));
+    if (const auto orbit = orbit_guess(model, *known.motion))
+      orbits_.push_back(sequenced(family_, *orbit, period, problem.frequency, known.parameter));
+  }
+
+  // No fraction of the interval that its ends or a resonance would make a special one.
+  [[nodiscard]] double value_inside(int i) const {
+    const ParametrisedScene& scene = family_.scene();
+    return scene.from + (i + 0.47) / kValues * (scene.to - scene.from);
+  }
+
+  OrbitFamily& family_;
+  const Method& method_;
+  const CurveLimits& limits_;
+  std::vector<SequencedOrbit> orbits_;
+};
+
+}  // namespace
+
+OrbitDiagram exact_diagram(const ParametrisedScene& scene, const Method& method, const CurveLimits& limits) {
+  OrbitFamily family(scene);
+  return trace_diagram(family, Beginnings(family, method, limits).find(), limits);
+}
+
+}  // namespace signorini
