@@ -47,7 +47,7 @@ constexpr std::array<Check<MethodEntry>, 3> kMethodChecks{{
 }};
 
 /// Of the method on a scene.
-constexpr std::array<Check<CheckedMethod>, 11> kSceneChecks{{
+constexpr std::array<Check<CheckedMethod>, 12> kSceneChecks{{
     {"applicability", "refuses a scene only with a reason, and declares a law that fits",
      check_applicability},
     {"trajectory", "answers with a sound trajectory", check_trajectory},
@@ -60,6 +60,7 @@ constexpr std::array<Check<CheckedMethod>, 11> kSceneChecks{{
     {"time-shift", "comes later with the load", check_time_shift},
     {"origin-shift", "does not depend on where the origin of x is", check_origin_shift},
     {"contact-free", "is the linear response where no stop is in reach", check_contact_free},
+    {"curve", "is a point of the curve that it follows", check_curve},
 }};
 
 /// Of the records of a ladder on a scene.

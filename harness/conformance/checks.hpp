@@ -43,5 +43,9 @@ CheckResult check_origin_shift(const CheckedMethod& checked);
 /// With all stops out of reach the contact force is zero and x is the linear response: to rounding, or with
 /// an error that decays along the ladder.
 CheckResult check_contact_free(const CheckedMethod& checked);
+/// The points of its curve are its solves. Over 2 % of the frequency, from the scene's own on: the answer of
+/// the scene, which is an end of the curve, and those at 1 and 2 % from the answer before are points of a
+/// branch, to CheckSettings::agreement of x.
+CheckResult check_curve(const CheckedMethod& checked);
 
 }  // namespace signorini

@@ -1,0 +1,100 @@
+// The check of curves: their points are the answers of solves.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "harness/conformance/checks.hpp"
+#include "harness/plan/deadline.hpp"
+#include "methods/curve.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr int kInstants = 16;  // of a forcing period at which motions are compared
+
+/// Where the answer is looked for on the curve, over the frequency of the scene [-]
+constexpr std::array kPlaces{1.0, 1.01, 1.02};
+
+/// Whether a point is one of the curve at this frequency.
+bool stands_at(const SolutionPoint& point, double frequency) {
+  constexpr double kSame = 1e-9;
+  return std::abs(point.frequency - frequency) <= kSame * frequency;
+}
+
+/// The largest difference of x between a point and a motion, begun any number of forcing periods later,
+/// relative to the scale [-].
+double difference(const SolutionPoint& point, const Eigen::MatrixXd& motion, double scale) {
+  const Eigen::Index rows = std::max(point.motion.rows(), motion.rows());
+  if (point.motion.cols() != motion.cols() || point.motion.rows() == 0 || rows % motion.rows() != 0 ||
+      rows % point.motion.rows() != 0)
+    return std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index shift = 0; shift < rows; shift += kInstants) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const auto apart = point.motion.row((i + shift) % point.motion.rows()) - motion.row(i % motion.rows());
+      largest = std::max(largest, apart.cwiseAbs().maxCoeff());
+    }
+    least = std::min(least, largest / scale);
+  }
+  return least;
+}
+
+/// From a motion to the nearest point of a diagram at its frequency.
+double distance(const BranchDiagram& diagram, const Problem& problem, const Trajectory& motion) {
+  const double periods = motion.period() * problem.frequency / (2.0 * std::numbers::pi);
+  const Samples samples = motion.sample(kInstants * std::max(1, static_cast<int>(std::lround(periods))));
+  const double scale = displacement_scale(problem, samples);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Branch& branch : diagram.branches) {
+    for (const SolutionPoint& point : branch.points)
+      if (stands_at(point, problem.frequency)) least = std::min(least, difference(point, samples.x, scale));
+  }
+  return least;
+}
+
+}  // namespace
+
+CheckResult check_curve(const CheckedMethod& checked) {
+  if (auto no_answer = unless_answered(checked)) return *no_answer;
+  const CurveMethod* const curve = checked.method().curve();
+  if (curve == nullptr) return not_applicable("it follows no curve");
+  if (checked.problem().contacts.empty()) return not_applicable("there is no contact to look at");
+  const double frequency = checked.problem().frequency;
+  const ParametrisedScene scene =
+      over_frequency(checked.problem(), kPlaces.front() * frequency, kPlaces.back() * frequency);
+  if (const Support follows = curve->follows(scene); !follows.ok)
+    return not_applicable("it does not follow the scene: " + follows.reason);
+  const BranchDiagram diagram =
+      curve->follow(scene, {.max_order = checked.problem().subharmonic,
+                            .phases = kInstants,
+                            .at = {kPlaces.begin() + 1, kPlaces.end() - 1},
+                            .deadline = deadline_after(checked.settings().timeout)});
+  std::shared_ptr<const Trajectory> answer = checked.answer().trajectory;
+  for (const double place : kPlaces) {
+    const Problem problem = scene.at(place * frequency);
+    if (place > kPlaces.front()) {
+      const Solution next = checked.solve(problem, answer);
+      if (next.verdict != Verdict::converged || !next.trajectory)
+        return remarked(fmt::format("from the answer beside it does not converge at {:.10g} rad/s: {}",
+                                    problem.frequency, next.message));
+      answer = next.trajectory;
+    }
+    const double apart = distance(diagram, problem, *answer);
+    if (apart > checked.settings().agreement)
+      return failed(fmt::format("its answer at {:.10g} rad/s is {:.1e} of the motion from every point of {} "
+                                "branches{}{}",
+                                problem.frequency, apart, diagram.branches.size(),
+                                diagram.unfinished.empty() ? "" : "; ", diagram.unfinished));
+  }
+  return passed();
+}
+
+}  // namespace signorini
