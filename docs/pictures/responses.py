@@ -30,7 +30,7 @@ def style():
 
 
 def panel_of(scene, title, records):
-    exact = next(r for r in records if r["scene"] == scene and "method" not in r)
+    exact = next(r["response"] for r in records if r["scene"] == scene and r["response"]["way"] == "exact")
     amplitudes = [a for branch in exact["branches"] for a in branch["amplitude"]]
     metre, metre_name = (1e3, "mm") if max(amplitudes) < 1e-2 else (1.0, "m")
     rate, rate_name = (1e-3, "krad/s") if exact["to"] > 1e4 else (1.0, "rad/s")
@@ -43,16 +43,16 @@ def panel_of(scene, title, records):
             for run in pieces(points, lambda before, after: (before[2] == 1) == stable):
                 panel.curve(scaled(run), "exact", 7 if stable else 4, "" if stable else "7 5")
     for row, (label, (name, _, _)) in enumerate(METHODS.items()):
-        record = next((r for r in records if r["scene"] == scene and r.get("method") == label and not r["by_steps"]), None)
+        record = next((r for r in records if r["case"] == f"{scene}/{label} by arc length"), None)
         if record is None:
             continue
         words = label
         if record.get("law_matches_scene") is False:
             words += ": another law"
         else:
-            for branch in record["branches"]:
+            for branch in record["response"]["branches"]:
                 panel.curve(scaled(zip(branch["omega"], branch["amplitude"])), name, 1.3)
-            found = record.get("comparison", {}).get("within_0.02", {}).get("covered")
+            found = record["response"].get("comparison", {}).get("within_0.02", {}).get("covered")
             words += f": {100 * found:.0f} % found" if found is not None else ""
         x, y = panel.at(high, panel.y[1])
         panel.text(x - 4, y + 16 + 18 * row, words, "end", name)
@@ -70,7 +70,7 @@ def picture(records):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "results/responses"
     target = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else pathlib.Path(__file__).parent / "responses.svg"
-    records = [json.loads(line) for line in (folder / "responses.jsonl").read_text().splitlines()]
+    records = [json.loads(line) for line in (folder / "records.jsonl").read_text().splitlines()]
     target.write_text(picture(records))
 
 

@@ -11,8 +11,6 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/report/formats/screen.hpp"
-#include "harness/responses/response_report.hpp"
-#include "harness/responses/response_sections.hpp"
 #include "harness/run_folder/run_folder.hpp"
 #include "harness/terminal/terminal.hpp"
 
@@ -36,27 +34,12 @@ std::vector<std::string> formats_known() {
   return formats;
 }
 
-/// What the formats ask for of a folder of responses.
-void report_responses(const ReportArguments& arguments, const std::filesystem::path& folder) {
-  const std::vector<ResponseRecord> records = read_responses(folder);
-  if (arguments.document) {
-    write_response_tables_into(*arguments.document, folder, records);
-    fmt::print("{}\n", *arguments.document);
-    return;
-  }
-  if (std::ranges::count(arguments.formats, kScreen) > 0) fmt::print("{}", response_screen(records));
-  for (const std::filesystem::path& file :
-       write_response_report(folder, records, arguments.formats, arguments.column))
-    fmt::print("{}\n", file.string());
-}
-
 void report(const ReportArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
-  if (std::filesystem::exists(folder / kResponsesFile)) return report_responses(arguments, folder);
+  refuse_old_responses(folder);
   if (!std::filesystem::exists(folder / "records.jsonl")) {
     throw UsageError(
-        fmt::format("dir = {} (must be a folder with records.jsonl or responses.jsonl, as run writes it)",
-                    folder.string()));
+        fmt::format("dir = {} (must be a folder with records.jsonl, as run writes it)", folder.string()));
   }
   const Evaluation evaluation = evaluation_of_run(folder, limits_of_run(folder));
   if (arguments.document) {

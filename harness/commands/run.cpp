@@ -17,9 +17,7 @@
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/report/report.hpp"
-#include "harness/responses/response_report.hpp"
-#include "harness/responses/response_run.hpp"
-#include "harness/responses/response_sections.hpp"
+#include "harness/responses/response_plan.hpp"
 #include "harness/run/suite_run.hpp"
 #include "harness/run_folder/merge.hpp"
 #include "harness/run_folder/run_folder.hpp"
@@ -74,7 +72,7 @@ void print_plan(const Plan& plan) {
 }
 
 Plan plan_of(const RunArguments& arguments, const Suite& suite) {
-  Plan plan = make_plan(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
+  Plan plan = plan_of_suite(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
   if (!arguments.shard) return plan;
   Durations durations;
   if (!arguments.durations.empty()) durations = Durations(read_run(arguments.durations).records);
@@ -114,48 +112,8 @@ SuiteRunResult run_missing(const RunArguments& arguments, const Plan& plan, Runn
                   [&](const std::vector<Record>& records) { lines.add(records); });
 }
 
-/// A suite of responses has curves in place of cases.
-int run_response_suite(const RunArguments& arguments, const Suite& suite) {
-  if (arguments.shard || arguments.waveforms || arguments.repetitions || arguments.schedule.together() > 1)
-    throw UsageError(
-        fmt::format("suite = {} (must be run without --shard, --waveforms, --repetitions, --jobs and "
-                    "--beside: it is one of "
-                    "responses)",
-                    suite.name));
-  const std::vector<ResponseCase> cases = response_cases(suite, arguments.narrowing, method_catalogue());
-  if (arguments.dry_run) {
-    for (const ResponseCase& one : cases) fmt::print("{}\n", one.id);
-    fmt::print(stderr, "{} responses\n", cases.size());
-    return kDone;
-  }
-  const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
-  const Limits limits = limits_of(arguments, suite);
-  make_folder(folder);
-  const Descriptor lock = lock_folder(folder);
-  write_whole(folder / "manifest.json",
-              json_text(make_manifest(suite, limits, arguments.schedule, arguments.words), 2) + "\n");
-  watch_interrupts();
-  const ResponseRunResult result = run_responses(suite, cases, limits, folder, arguments.resume);
-  const std::vector<ResponseRecord> records = read_responses(folder);
-  write_response_report(folder, records, {"md"});
-  if (arguments.verbose) fmt::print("{}\n", markdown_report(response_sections(records)));
-  fmt::print("{}", response_screen(records));
-  fmt::print(
-      "\n{} responses run, {} already there; {} and table.md, with each response, are in {}\n"
-      "A page with figures: {} report {} --format html\n",
-      result.ran, result.present, kResponsesFile, folder.string(), shell_word(typed_program()),
-      shell_word(folder.string()));
-  if (result.interrupted) {
-    fmt::print(stderr, "interrupted; the same command with --resume --out {} does the rest\n",
-               folder.string());
-    return kInterrupted;
-  }
-  return kDone;
-}
-
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
-  if (!suite.responses.empty()) return run_response_suite(arguments, suite);
   const Plan plan = plan_of(arguments, suite);
   if (arguments.dry_run) {
     print_plan(plan);
@@ -186,6 +144,9 @@ int run_suite(const RunArguments& arguments) {
   std::vector<std::string> failures;
   for (const CaseResult& result : evaluation.results()) {
     if (is_unexpected(result.case_id, result.outcome.status, suite)) failures.push_back(result.case_id);
+  }
+  for (const Record& record : evaluation.responses()) {
+    if (is_unexpected(record.case_id, record.status, suite)) failures.push_back(record.case_id);
   }
   fmt::print("{}",
              screen_report(evaluation, {.heading = fmt::format("{} cases run, {} already there; records and "

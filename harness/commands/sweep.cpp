@@ -12,6 +12,7 @@
 #include "harness/commands/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/isolation/isolation.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/plots/response_plot.hpp"
@@ -19,6 +20,7 @@
 #include "harness/sweep/bifurcation_response.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "harness/sweep/frequency_response.hpp"
+#include "harness/sweep/isolated_branches.hpp"
 #include "harness/sweep/response_folder.hpp"
 #include "harness/sweep/response_stream.hpp"
 #include "harness/terminal/sweep_output.hpp"
@@ -43,21 +45,25 @@ void tell_interrupted(const SweepArguments& arguments) {
 }
 
 // Every row, in one of the formats of tables.
-void print_table(const SweepArguments& arguments, const Table& table) {
-  fmt::print("{}", arguments.format == "csv"  ? to_csv(table)
-                   : arguments.format == "md" ? to_markdown(table)
-                                              : to_columns(table));
+std::string table_text(const SweepArguments& arguments, const Table& table) {
+  return arguments.format == "csv"  ? to_csv(table)
+         : arguments.format == "md" ? to_markdown(table)
+                                    : to_columns(table);
 }
 
-void print(const SweepArguments& arguments, const std::vector<SweepPoint>& points) {
+void print_steps(const SweepArguments& arguments, const MethodResponse& response) {
   if (arguments.format == "jsonl") return;  // each as it came
   if (arguments.format == "json") {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const SweepPoint& point : points) list.push_back(to_json(point));
+    for (const SweepPoint& point : response.steps) {
+      list.push_back(to_json(point));
+      if (!response.other_law.empty()) list.back()["other_law"] = response.other_law;
+    }
     fmt::print("{}\n", json_line(list));
     return;
   }
-  print_table(arguments, response_table(points, arguments.limits.certified));
+  fmt::print("{}", table_text(arguments, response_table(response.steps, arguments.limits.certified,
+                                                        response.other_law)));
 }
 
 // Points of one method, each solved from the one before.
@@ -90,26 +96,26 @@ int sweep_steps(const SweepArguments& arguments) {
   const std::string label = method.label(), key = response_key(method);
   watch_interrupts();
   ResponseStream stream(arguments.format, {});
+  MethodResponse response{.method = label, .other_law = law_remark_of(scene, method)};
   const TakePoint print_line = [&](const SweepPoint& point) {
-    if (arguments.format == "jsonl") stream.step(label, point);
+    if (arguments.format == "jsonl") stream.step(response, point);
   };
   const std::optional<MethodResponse> kept = folder ? folder->complete(label, key) : std::nullopt;
-  const std::vector<SweepPoint> found =
-      kept ? kept->steps : steps(arguments, scene, method, [&](const SweepPoint& point) {
-        if (folder) folder->add(label, point);
-        print_line(point);
-      });
-  if (kept) std::for_each(found.begin(), found.end(), print_line);
-  if (folder && !kept && !interrupted()) folder->finish({.method = label, .steps = found}, key);
-  print(arguments, found);
+  response.steps = kept ? kept->steps : steps(arguments, scene, method, [&](const SweepPoint& point) {
+    if (folder) folder->add(response, point);
+    print_line(point);
+  });
+  if (kept) std::for_each(response.steps.begin(), response.steps.end(), print_line);
+  if (folder && !kept && !interrupted()) folder->finish(response, key);
+  print_steps(arguments, response);
   if (!arguments.plot.empty())
-    write_plot(arguments.plot, response_plot(scene.problem.name, {{.method = label, .steps = found}},
-                                             ResponseOrdinate::amplitude, arguments.column));
+    write_plot(arguments.plot,
+               response_plot(scene.problem.name, {response}, ResponseOrdinate::amplitude, arguments.column));
   if (interrupted()) {
     tell_interrupted(arguments);
     return kInterrupted;
   }
-  return all_converged(found) ? kDone : kUnexpectedFailure;
+  return all_converged(response.steps) ? kDone : kUnexpectedFailure;
 }
 
 // The scene with the number asked for left free. \throws UsageError
@@ -131,6 +137,7 @@ ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& sce
 MethodResponse blank_response(const SweepArguments& arguments, const Scene& scene,
                               const MethodChoice& method) {
   return {.method = method.label(),
+          .other_law = law_remark_of(scene, method),
           .order = scene.problem.subharmonic,
           .parameter = arguments.parameter,
           .at_values = !arguments.range.at.empty()};
@@ -138,8 +145,16 @@ MethodResponse blank_response(const SweepArguments& arguments, const Scene& scen
 
 // Prints what a folder has kept as it would have come.
 void replay(const MethodResponse& response, ResponseStream& stream) {
-  for (const Branch& branch : response.diagram.branches) stream.branch(response.method, branch);
-  for (const SweepPoint& step : response.steps) stream.step(response.method, step);
+  for (const Branch& branch : response.diagram.branches) stream.branch(response, branch);
+  for (const SweepPoint& step : response.steps) stream.step(response, step);
+}
+
+// Motions at which branches begin too, of as many searches as are asked for.
+std::vector<KnownMotion> searched(const SweepArguments& arguments, const ParametrisedScene& varied) {
+  constexpr double kShareOfSearches = 0.5;  // of the time
+  if (arguments.searches == 0) return {};
+  return searched_motions(varied, arguments.searches, arguments.branches.max_order,
+                          kShareOfSearches * arguments.total_time);
 }
 
 // What one method makes of the response, kept and printed as it comes where the format allows.
@@ -154,27 +169,24 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
   if (arguments.bifurcation) limits.phases = 1;
   limits.take = [&](const Branch& branch) {
     const Branch shown = values.empty() ? branch : points_at(branch, values);
-    if (folder != nullptr) folder->add(response.method, shown);
-    stream.branch(response.method, shown);
+    if (folder != nullptr) folder->add(response, shown);
+    stream.branch(response, shown);
   };
-  std::optional<BranchDiagram> own;
+  std::optional<IsolatedBranches> own;
   if (!arguments.natural) {
     std::optional<Waiting> waiting;  // unless lines come meanwhile
     if (!stream.prints()) waiting.emplace("following branches of " + response.method);
-    constexpr double kShareOfSearches = 0.5;  // of the time
-    if (arguments.searches > 0 && has_curve(method))
-      limits.begin_at = searched_motions(varied, arguments.searches, limits.max_order,
-                                         kShareOfSearches * arguments.total_time);
-    own = branches_of(varied, method, limits);
+    own = isolated_branches(varied, method, limits, [&] { return searched(arguments, varied); });
   }
   if (!own) {
     response.steps = steps(arguments, scene, method, [&](const SweepPoint& point) {
-      if (folder != nullptr) folder->add(response.method, point);
-      stream.step(response.method, point);
+      if (folder != nullptr) folder->add(response, point);
+      stream.step(response, point);
     });
     return response;
   }
-  response.diagram = *std::move(own);
+  response.diagram = std::move(own->diagram);
+  response.failure = std::move(own->failure);
   for (Branch& branch : response.diagram.branches) {
     if (!values.empty()) branch = points_at(branch, values);
   }
@@ -208,7 +220,7 @@ MethodResponse kept_or_computed(const SweepArguments& arguments, const Scene& sc
   }
   MethodResponse response =
       response_of(arguments, scene, varied, method, stream, folder ? &*folder : nullptr);
-  if (folder && !interrupted()) folder->finish(response, key);
+  if (folder && !interrupted() && response.failure.empty()) folder->finish(response, key);
   return response;
 }
 
@@ -235,8 +247,8 @@ int sweep_branches(const SweepArguments& arguments) {
   for (const MethodChoice& method : methods) {
     responses.push_back(kept_or_computed(arguments, scene, varied, method, stream, folder));
     const MethodResponse& response = responses.back();
-    all =
-        all && (response.steps.empty() ? !response.diagram.branches.empty() : all_converged(response.steps));
+    all = all && response.failure.empty() &&
+          (response.steps.empty() ? !response.diagram.branches.empty() : all_converged(response.steps));
     if (interrupted()) break;
   }
   print(arguments, responses);
@@ -252,6 +264,30 @@ int sweep_branches(const SweepArguments& arguments) {
   return all ? kDone : kUnexpectedFailure;
 }
 
+// In a process of its own: what is printed of special points over the frequency and a second number.
+void send_special_points(const SweepArguments& arguments, const LineSender& send) {
+  using Json = nlohmann::ordered_json;
+  const auto refuse = [&](const std::exception& error) { send(json_line(Json{{"refused", error.what()}})); };
+  try {
+    const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
+    CurveLimits limits = arguments.branches;
+    limits.deadline = deadline_after(arguments.total_time);
+    const std::string& second = arguments.second.place;
+    const BifurcationCurves response =
+        bifurcation_response(find_scene(arguments.scene), arguments.range.from, arguments.range.to,
+                             arguments.second, arguments.follow, method, limits);
+    const bool json = arguments.format == "json" || arguments.format == "jsonl";
+    send(json_line(Json{{"text", json ? json_line(to_json(response, second)) + "\n"
+                                      : table_text(arguments, bifurcation_table(response, second))},
+                        {"unfinished", response.unfinished},
+                        {"curves", response.curves.size()}}));
+  } catch (const UsageError& error) {
+    refuse(error);
+  } catch (const SceneError& error) {
+    refuse(error);
+  }
+}
+
 // Special points over the frequency and a second number.
 int sweep_special_points(const SweepArguments& arguments) {
   if (arguments.methods.empty() || arguments.natural || arguments.parameter != kFrequency)
@@ -261,20 +297,19 @@ int sweep_special_points(const SweepArguments& arguments) {
     throw UsageError("follow needs --second, --second-from and --second-to");
   if (!arguments.range.at.empty() || !arguments.plot.empty() || arguments.out)
     throw UsageError("--at, --plot and --out (must be left out with --follow)");
-  const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
-  CurveLimits limits = arguments.branches;
-  limits.deadline = deadline_after(arguments.total_time);
-  const std::string& second = arguments.second.place;
-  const BifurcationCurves response =
-      bifurcation_response(find_scene(arguments.scene), arguments.range.from, arguments.range.to,
-                           arguments.second, arguments.follow, method, limits);
-  if (arguments.format == "json" || arguments.format == "jsonl") {
-    fmt::print("{}\n", json_line(to_json(response, second)));
-  } else {
-    print_table(arguments, bifurcation_table(response, second));
+  const ChildEnd end = run_isolated([&](const LineSender& send) { send_special_points(arguments, send); },
+                                    {.stage_seconds = {4.0 * enforced(arguments.total_time) + kQuickSeconds},
+                                     .memory_mb = Limits{}.memory_mb});
+  if (end.lines.empty()) {
+    fmt::print(stderr, "{}: {}\n", arguments.methods, describe(end));
+    return interrupted() ? kInterrupted : kUnexpectedFailure;
   }
-  if (!response.unfinished.empty()) fmt::print(stderr, "{}\n", response.unfinished);
-  return response.curves.empty() ? kUnexpectedFailure : kDone;
+  const nlohmann::ordered_json found = parse_json(end.lines.front());
+  if (found.contains("refused")) throw UsageError(found.at("refused").get<std::string>());
+  fmt::print("{}", found.at("text").get<std::string>());
+  if (const auto unfinished = found.at("unfinished").get<std::string>(); !unfinished.empty())
+    fmt::print(stderr, "{}\n", unfinished);
+  return found.at("curves") == 0 ? kUnexpectedFailure : kDone;
 }
 
 int sweep(SweepArguments arguments) {

@@ -72,6 +72,7 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder) {
 int verify(const VerifyArguments& arguments) {
   const fs::path folder = arguments.folder ? fs::path(*arguments.folder) : references_folder();
   if (!arguments.update && !fs::is_directory(folder)) refuse_folder(folder);
+  refuse_old_responses(folder);
   watch_interrupts();
   return fs::exists(folder / "records.jsonl") ? verify_records(arguments, folder)
                                               : verify_references(arguments, folder);

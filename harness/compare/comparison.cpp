@@ -9,6 +9,7 @@
 #include <set>
 
 #include "harness/compare/rerun.hpp"
+#include "harness/compare/response_change.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/run_folder/merge.hpp"
 
@@ -40,6 +41,12 @@ std::optional<CaseChange> status_change(const Record& before, const Record& afte
 }
 
 std::optional<CaseChange> accuracy_change(const Record& before, const Record& after) {
+  if (before.response && after.response) {
+    const std::optional<ResponseChange> found = response_change(*before.response, *after.response);
+    if (!found) return std::nullopt;
+    return change(before, found->worse ? ChangeKind::less_accurate : ChangeKind::more_accurate,
+                  found->detail);
+  }
   const bool was = before.certificate.status == CertificateStatus::certified;
   const bool is = after.certificate.status == CertificateStatus::certified;
   if (was != is) {

@@ -89,8 +89,8 @@ WholeRun read_whole_run(const std::filesystem::path& folder);
 
 /// The first run is the one of before. A case is broken that converged and ends otherwise, or has no record;
 /// it is less accurate where the harness finds it inaccurate, its certificate is lost, or its error grew by
-/// kErrorFactor and is above ten error bars. Times are compared if both runs are of the same machine, one
-/// case at a time.
+/// kErrorFactor and is above ten error bars; a response where response_change finds it worse. Times are
+/// compared if both runs are of the same machine, one case at a time.
 Comparison compare_runs(const WholeRun& before, const WholeRun& after);
 
 /// Something is broken, less accurate or slower.

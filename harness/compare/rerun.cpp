@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "harness/compare/response_change.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/glob.hpp"
@@ -12,6 +13,7 @@
 #include "harness/plan/case_name.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/json_fields.hpp"
+#include "harness/responses/response_plan.hpp"
 #include "harness/run/suite_run.hpp"
 
 namespace signorini {
@@ -41,7 +43,11 @@ Case case_of(const Record& record, const Scene& scene, std::span<const MethodEnt
   const auto entry =
       std::ranges::find_if(catalogue, [&](const MethodEntry& one) { return one.name == record.method; });
   if (entry == catalogue.end()) throw no_method(resolution_of(record), catalogue);
-  return make_case(scene, 0, {&*entry, record.settings});
+  const MethodChoice choice{&*entry, record.settings};
+  if (!record.response) return make_case(scene, 0, choice);
+  const ResponseQuestion& question = record.response->question;
+  return question.way == ResponseWay::exact ? exact_case(scene, 0, question)
+                                            : response_case(scene, 0, choice, question);
 }
 
 void compare_case(const Record& kept, const Record& now, Rerun& result) {
@@ -53,6 +59,17 @@ void compare_case(const Record& kept, const Record& now, Rerun& result) {
   for (const std::string& line : compare_records(kept, now)) result.differences.push_back(line);
   if (kept.seconds && now.seconds && kept.seconds->median > 0.0)
     result.time_ratios.push_back(now.seconds->median / kept.seconds->median);
+}
+
+/// Adds the exact response that other ones are measured against, unless it is among them.
+void add_exact(const Scene& scene, std::vector<Case>& cases) {
+  std::optional<ResponseQuestion> question;
+  for (const Case& one : cases) {
+    if (!one.response) continue;
+    if (one.response->way == ResponseWay::exact) return;
+    question = one.response;
+  }
+  if (question) cases.push_back(exact_case(scene, 0, *question));
 }
 
 /// Runs the cases of one scene's records again.
@@ -68,14 +85,17 @@ void rerun_scene(const std::vector<const Record*>& kept, const Limits& limits,
   }
   std::vector<Case> cases;
   for (const Record* record : kept) cases.push_back(case_of(*record, scene, catalogue));
+  add_exact(scene, cases);
   Runner runner(limits);
+  ExactResponse exact;
   news(scene.problem.name + ": references");
-  const std::vector<Job> jobs = runner.make_jobs(scene, cases);
+  std::vector<const Case*> pointers;
+  for (const Case& one : cases) pointers.push_back(&one);
+  const std::vector<Job> jobs = prepared_jobs(runner, scene, pointers, exact);
   if (interrupted()) return;
-  runner.compute_references(scene, jobs);
   const std::vector<std::optional<Record>> now =
       run_rounds(runner, scene, jobs, std::vector<std::optional<Record>>(cases.size()), {}, {.begins = news});
-  for (std::size_t i = 0; i < cases.size(); ++i) {
+  for (std::size_t i = 0; i < kept.size(); ++i) {
     if (now[i]) compare_case(*kept[i], *now[i], result);
   }
   std::ranges::move(relative_times(kept, now), std::back_inserter(result.relative_times));
@@ -115,6 +135,11 @@ std::vector<std::string> compare_records(const Record& kept, const Record& now) 
     return {fmt::format("{}: certificate {} became {}{}{}", kept.case_id, enum_name(kept.certificate.status),
                         enum_name(now.certificate.status), now.certificate.reason.empty() ? "" : ": ",
                         now.certificate.reason)};
+  }
+  if (kept.response && now.response) {
+    const std::optional<ResponseChange> found = response_change(*kept.response, *now.response);
+    return found ? std::vector{fmt::format("{}: {}", kept.case_id, found->detail)}
+                 : std::vector<std::string>();
   }
   if (!kept.errors.x_l2 || !now.errors.x_l2) {
     if (kept.errors.x_l2.has_value() == now.errors.x_l2.has_value()) return {};

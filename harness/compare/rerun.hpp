@@ -16,7 +16,8 @@ namespace signorini {
 inline constexpr double kErrorFactor = 1.5;
 
 /// What differs between a record kept and a new one, one line each; empty if nothing does. Compared are
-/// status, certificate and the error of x. A status that a time limit decided is no difference.
+/// status, certificate and the error of x, or what response_change tells. A status that a time limit decided
+/// is no difference.
 std::vector<std::string> compare_records(const Record& kept, const Record& now);
 
 /// Time of a case over that of the baseline on the same scene in the same run, kept and new.

@@ -40,6 +40,9 @@ std::string case_key(const Scene& scene, const Case& planned_case, const Limits&
   text += fmt::format("timeout={}\nmemory={}\nrepetitions={}\ncertificate={}\nreference={}\ncode={}\n",
                       limits.timeout, limits.memory_mb, limits.repetitions, limits.certificate_timeout,
                       limits.reference_timeout, code_version);
+  if (const std::optional<ResponseQuestion>& asked = planned_case.response)
+    text += fmt::format("response={} {} {} {}\n", asked->from, asked->to, asked->orders,
+                        static_cast<int>(asked->way));
   if (!reference.empty()) text += fmt::format("kept={}\n", reference);
   if (!planned_case.choice.entry->plugin.empty())
     text += fmt::format("plugin={}\n", planned_case.choice.entry->plugin);

@@ -12,6 +12,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/plan/case_name.hpp"
+#include "harness/plan/response_question.hpp"
 #include "harness/plan/scene_choice.hpp"
 #include "harness/plan/suite.hpp"
 #include "methods/catalogue.hpp"
@@ -61,7 +62,9 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
 struct Case {
   std::size_t scene = 0;  ///< index into Plan::scenes
   MethodChoice choice = {};
-  std::string id = {};  ///< "sdof-stop/fourier-lipschitz[harmonics=40]"
+  std::string id = {};  ///< "sdof-stop/fourier-lipschitz[harmonics=40]"; of a response with its way
+  std::optional<ResponseQuestion> response = {};  ///< asked for in place of a motion
+  std::string measured_by = {};  ///< the method whose branches a response is measured against, if any
 };
 
 struct Plan {
@@ -84,8 +87,9 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
                std::span<const SceneSource> sources);
 
 /// Identifies a run for --resume: SHA-256 of scene file, method, complete options, limits and code version,
-/// with the files of the plugin that the method comes from, if any, and the digest of the orbits that are
-/// kept of the scene (`reference`), which answers are compared with.
+/// with the files of the plugin that the method comes from, if any, and what answers are compared with
+/// (`reference`): the digest of the orbits that are kept of the scene, or of a response the version of the
+/// code that makes the exact one.
 std::string case_key(const Scene& scene, const Case& planned_case, const Limits& limits,
                      std::string_view code_version, std::string_view reference = {});
 

@@ -152,14 +152,14 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
   for (std::size_t i = 0; i < responses.size(); ++i) {
     const MethodResponse& response = responses[i];
     const std::string colour = line_colour(i);
-    const std::string title = gnuplot_string(response.method);
+    const std::string title = gnuplot_string(name_with_law(response));
     bool titled = false;
     for (const auto& [part, style] :
          {std::pair{Stability::stable, "lw 2.4"}, std::pair{Stability::unstable, "lw 1.2 dt (12,8)"},
           std::pair{Stability::unknown, "lw 1"}}) {
       const std::string lines = pieces(response.diagram, part, ordinate);
       const std::string words = part == Stability::unstable
-                                    ? "title " + gnuplot_string(response.method + ", unstable")
+                                    ? "title " + gnuplot_string(name_with_law(response) + ", unstable")
                                 : titled ? "notitle"
                                          : "title " + title;
       draw(lines, fmt::format("with lines {} {} {}", colour, style, words));

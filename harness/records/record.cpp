@@ -1,7 +1,12 @@
 #include "harness/records/record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
+
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -10,6 +15,26 @@ std::string_view status_name(Status status) {
 }
 
 std::string resolution_of(const Record& record) { return method_label(record.method, record.settings); }
+
+std::string law_text(const RepresentedLaw& law) {
+  struct Printer {
+    std::string operator()(std::monostate) const { return "no contact"; }
+    std::string operator()(const Restitution& l) const { return fmt::format("e = {:g}", l.e); }
+    std::string operator()(const Penalty& l) const {
+      std::vector<double> shown = l.stiffness;
+      const bool equal = std::ranges::adjacent_find(shown, std::ranges::not_equal_to{}) == shown.end();
+      if (equal && !shown.empty()) shown.resize(1);
+      return "k = " + joined(shown, "{:g}", ", ") + " N/m";
+    }
+    std::string operator()(Massless) const { return "massless"; }
+    std::string operator()(Undetermined) const { return "undetermined"; }
+  };
+  return std::visit(Printer{}, law);
+}
+
+std::string law_remark(const Record& record) {
+  return record.law && record.law_matches_scene == false ? law_text(*record.law) : std::string();
+}
 
 void count_repeat(const std::string& answer, Record& record) {
   Repeats repeats = record.repeats.value_or(Repeats{});

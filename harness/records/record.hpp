@@ -10,6 +10,7 @@
 
 #include "harness/plan/case_name.hpp"
 #include "harness/records/motion_summary.hpp"
+#include "harness/records/recorded_response.hpp"
 #include "methods/method.hpp"
 #include "methods/options.hpp"
 #include "problems/scene/scene_family.hpp"
@@ -207,10 +208,18 @@ struct Record {
   Physics physics = {};
   std::optional<TrajectorySamples> trajectory = {};
   std::optional<Waveforms> waveforms = {};
+  std::optional<RecordedResponse> response = {};  ///< of a case that asks for one in place of a motion
 };
 
 /// The case without its scene: "fourier-lipschitz[harmonics=40]".
 std::string resolution_of(const Record& record);
+
+/// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".
+std::string law_text(const RepresentedLaw& law);
+
+/// What stands beside the name of a method that represents another law than the scene's: "e = 1". Empty where
+/// it is the same, or not known.
+std::string law_remark(const Record& record);
 
 /// Counts one more solve of the case, whose answer has this digest.
 void count_repeat(const std::string& answer, Record& record);

@@ -5,6 +5,7 @@
 
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
+#include "harness/records/response_fields.hpp"
 
 namespace signorini {
 
@@ -248,6 +249,7 @@ void visit_fields(Either<Record> auto& record, auto&& field) {
   field(Field{"physics"}, record.physics);
   field(Field{"trajectory"}, record.trajectory);
   field(Field{"waveforms"}, record.waveforms);
+  field(Field{"response"}, record.response);
 }
 
 }  // namespace signorini

@@ -50,6 +50,7 @@ void draw_all_figures(const fs::path& folder, const Evaluation& evaluation,
     draw_figures(folder, figures);
     figures.clear();
   }
+  std::ranges::move(response_figures(evaluation, column), std::back_inserter(figures));
   draw_figures(folder, figures);
 }
 
@@ -114,7 +115,7 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
     files.push_back(file);
   };
   if (wants("md")) write(folder / "table.md", markdown_report(sections));
-  if (wants("csv")) {
+  if (wants("csv") && !evaluation.results().empty()) {
     write(folder / "table.csv", [&](const TextSink& sink) { csv_report(evaluation, sink); });
     write(folder / "measures.csv", [&](const TextSink& sink) { measures_csv(evaluation, sink); });
   }

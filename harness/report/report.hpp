@@ -19,7 +19,7 @@ inline const std::vector<std::string> kReportFormats{"md", "csv", "tex", "html"}
 /// Writes the report of a run in these formats, the same bytes whatever the order of the records:
 ///
 /// - md: table.md
-/// - csv: table.csv, one row per record; measures.csv, one row per scene and method
+/// - csv: table.csv, one row per record of a motion; measures.csv, one row per scene and method
 /// - tex: tables/SECTION.tex, and the figures
 /// - html: report.html; of more than kMostOfPage cases the scenes on pages/NUMBER.html
 /// - figures: figures/NAME.{gp,dat,svg,pdf}, as wide as `column`

@@ -44,6 +44,18 @@ int order_of(const SweepPoint& step) {
   return step.motion ? whole_periods(step.motion->period, 2.0 * std::numbers::pi / step.frequency) : 0;
 }
 
+/// Phases x contacts; empty unless all contacts have as many phases.
+Eigen::MatrixXd kept_motion(const KeptMotion& x) {
+  const std::size_t phases = x.empty() ? 0 : x.front().size();
+  Eigen::MatrixXd motion(static_cast<Eigen::Index>(phases), static_cast<Eigen::Index>(x.size()));
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    if (x[j].size() != phases) return {};
+    motion.col(static_cast<Eigen::Index>(j)) =
+        Eigen::Map<const Eigen::VectorXd>(x[j].data(), static_cast<Eigen::Index>(phases));
+  }
+  return motion;
+}
+
 class Cutter {
  public:
   explicit Cutter(const ResponseMetric& metric) : metric_(metric) {}
@@ -118,6 +130,49 @@ ResponseCurve curve_of(const std::vector<SweepPoint>& steps) {
     open = found;
   }
   return curve;
+}
+
+ResponseCurve curve_of(const RecordedResponse& response) {
+  ResponseCurve curve{.located = response.located, .open_ends = response.open_ends};
+  for (const DrawnBranch& branch : response.branches) {
+    ResponseBranch& points = curve.branches.emplace_back();
+    points.by_arc_length = !branch.by_steps.value_or(false);
+    const std::size_t count = std::min({branch.frequency.size(), branch.stable.size(), branch.motion.size()});
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::MatrixXd motion = kept_motion(branch.motion[i]);
+      const int stable = branch.stable[i];
+      points.points.push_back({.frequency = branch.frequency[i],
+                               .order = std::max(1, static_cast<int>(motion.rows()) / kComparedPhases),
+                               .motion = motion,
+                               .stable = stable < 0 ? std::nullopt : std::optional(stable == 1)});
+    }
+  }
+  return curve;
+}
+
+std::vector<DrawnBranch> drawn(const ResponseCurve& curve) {
+  std::vector<DrawnBranch> branches;
+  for (const ResponseBranch& branch : curve.branches) {
+    DrawnBranch& lines = branches.emplace_back();
+    for (const ResponsePoint& point : branch.points) {
+      lines.frequency.push_back(point.frequency);
+      lines.amplitude.push_back(half_range(point.motion));
+      lines.stable.push_back(!point.stable ? -1 : *point.stable ? 1 : 0);
+    }
+  }
+  return branches;
+}
+
+std::vector<DrawnBranch> drawn_with_motions(const ResponseCurve& curve) {
+  std::vector<DrawnBranch> branches = drawn(curve);
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    if (!curve.branches[i].by_arc_length) branches[i].by_steps = true;
+    for (const ResponsePoint& point : curve.branches[i].points) {
+      KeptMotion& motion = branches[i].motion.emplace_back();
+      for (const auto& x : point.motion.colwise()) motion.emplace_back(x.begin(), x.end());
+    }
+  }
+  return branches;
 }
 
 double half_range(const Eigen::MatrixXd& motion) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/records/recorded_response.hpp"
 #include "harness/responses/response_metric.hpp"
 #include "harness/sweep/frequency_response.hpp"
 #include "methods/curve.hpp"
@@ -15,14 +16,6 @@ namespace signorini {
 struct ResponseBranch {
   std::vector<ResponsePoint> points = {};
   bool by_arc_length = true;  ///< each step was corrected along the branch; else by steps of the frequency
-};
-
-/// A point that the method itself located.
-struct LocatedPoint {
-  SpecialKind kind = SpecialKind::fold;
-  double frequency = 0.0;                ///< [rad/s]
-  int order = 1;                         ///< forcing periods per period
-  std::optional<double> amplitude = {};  ///< largest of the contacts: half of largest less least x_j [m]
 };
 
 /// All that one method makes of a response.
@@ -37,6 +30,14 @@ ResponseCurve curve_of(const BranchDiagram& diagram);
 
 /// The converged points of a sweep, each over its own period, with a gap wherever a solve has failed.
 ResponseCurve curve_of(const std::vector<SweepPoint>& steps);
+
+/// The response of an exact record as its file keeps it, with motions (`drawn_with_motions`).
+ResponseCurve curve_of(const RecordedResponse& response);
+
+/// The branches of a response as they are drawn.
+std::vector<DrawnBranch> drawn(const ResponseCurve& curve);
+/// The same with the motions of their points, and whether they are of steps.
+std::vector<DrawnBranch> drawn_with_motions(const ResponseCurve& curve);
 
 /// Largest of the contacts: half of largest less least x_j [m].
 double half_range(const Eigen::MatrixXd& motion);

@@ -1,6 +1,7 @@
 #include "harness/run/runner.hpp"
 
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "harness/interrupt.hpp"
@@ -8,6 +9,7 @@
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/run/case_task.hpp"
 #include "harness/run/problem_digest.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/run/trial.hpp"
@@ -16,10 +18,15 @@ namespace signorini {
 
 namespace {
 
+/// What the first answer of a job may take [s].
+double answer_seconds(const Limits& limits, std::span<const Job> jobs) {
+  const bool task = !jobs.empty() && jobs.front().task;
+  return task ? jobs.front().task->seconds() : enforced(limits.timeout);
+}
+
 /// Wall time of each stage: the first solve, a round of timing, the measures, the certificate; then the end
 /// of the process. On a large structure the measures cost what the set-up did: both find receptances.
-IsolationLimits first_round_limits(const Limits& limits) {
-  const double solve = enforced(limits.timeout);
+IsolationLimits first_round_limits(const Limits& limits, double solve) {
   return {.stage_seconds = {solve, solve + kQuickSeconds, solve + kQuickSeconds,
                             enforced(limits.certificate_timeout) + kQuickSeconds, kQuickSeconds},
           .memory_mb = limits.memory_mb};
@@ -27,14 +34,13 @@ IsolationLimits first_round_limits(const Limits& limits) {
 
 /// The same of one round after another, each with a line per stage and kRoundDone.
 IsolationLimits series_limits(const Limits& limits) {
-  IsolationLimits result = first_round_limits(limits);
+  IsolationLimits result = first_round_limits(limits, enforced(limits.timeout));
   result.repeated = true;
   return result;
 }
 
-IsolationLimits later_round_limits(const Limits& limits) {
-  return {.stage_seconds = {2.0 * enforced(limits.timeout) + kQuickSeconds, kQuickSeconds},
-          .memory_mb = limits.memory_mb};
+IsolationLimits later_round_limits(const Limits& limits, double solve) {
+  return {.stage_seconds = {2.0 * solve + kQuickSeconds, kQuickSeconds}, .memory_mb = limits.memory_mb};
 }
 
 }  // namespace
@@ -43,8 +49,11 @@ Runner::Runner(Limits limits, OrbitTools orbits, CodeVersion version)
     : limits_(limits), orbits_(std::move(orbits)), code_version_(std::move(version)) {}
 
 std::string Runner::key_of(const Scene& scene, const Case& planned_case) const {
-  return case_key(scene, planned_case, limits_, code_version_(planned_case.choice.entry->name),
-                  kept_reference_digest(scene, references_folder()));
+  const std::string version = code_version_(planned_case.choice.entry->name);
+  if (!planned_case.response)
+    return case_key(scene, planned_case, limits_, version, kept_reference_digest(scene, references_folder()));
+  const std::string& other = planned_case.measured_by;
+  return case_key(scene, planned_case, limits_, version, other.empty() ? "" : code_version_(other));
 }
 
 std::vector<Job> Runner::make_jobs(const Scene& scene, std::span<const Case* const> cases) const {
@@ -90,6 +99,10 @@ Record Runner::blank(const Scene& scene, const Job& job) const {
     record.problem = problem_digest(scene.problem, *record.law);
   }
   record.certificate.reason = "there is no answer to certify";
+  if (planned_case.response) {
+    record.response.emplace().question = *planned_case.response;
+    record.certificate.reason = "a response is measured against the exact one";
+  }
   return record;
 }
 
@@ -144,7 +157,10 @@ void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parall
     indices.push_back(i);
     work.push_back([this, &scene, &job, &extras, start](const LineSender& send) {
       const Record record = blank(scene, job);
-      run_trial(trial_of(scene, job, start, extras), record, FirstRoundSender(send, record));
+      FirstRoundSender send_stage(send, record);
+      if (!job.task) return run_trial(trial_of(scene, job, start, extras), record, std::ref(send_stage));
+      job.task->run(record, std::ref(send_stage));
+      send_stage.fill();
     });
   }
   std::vector<ReceivedRound> rounds(work.size());
@@ -155,11 +171,15 @@ void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parall
   };
   const OnEnd take_end = [&](std::size_t k, const ChildEnd& end) {
     if (end.kind == ChildEnd::Kind::interrupted) return;
-    Record record = received_first_round(blank(scene, jobs[indices[k]]), rounds[k], end);
+    const Job& job = jobs[indices[k]];
+    Record record = received_first_round(blank(scene, job), rounds[k], end);
+    rounds[k] = {};
     references_.keep_confirmed(scene.problem, record);
+    if (job.task) job.task->release(record);
     take(indices[k], std::move(record));
   };
-  run_isolated_together(work, first_round_limits(limits_), parallel, take_end, take_line);
+  run_isolated_together(work, first_round_limits(limits_, answer_seconds(limits_, jobs)), parallel, take_end,
+                        take_line);
 }
 
 void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<const Record> records,
@@ -169,15 +189,17 @@ void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<
     work.push_back([this, &scene, &job, start = start_of(scene, job, extras)](const LineSender& send) {
       // A run that is resumed may find no orbit this time.
       if (!start.obstacle.empty()) return send_later_round({.message = start.obstacle}, send);
+      if (job.task) return send_later_round(job.task->repeat(), send);
       send_later_round(repeat_solve(scene, *job.planned_case, limits_, start.motion), send);
     });
   }
-  run_isolated_together(work, later_round_limits(limits_), parallel, [&](std::size_t i, const ChildEnd& end) {
+  const OnEnd take_end = [&](std::size_t i, const ChildEnd& end) {
     if (end.kind == ChildEnd::Kind::interrupted) return;
     Record record = records[i];
     take_later_round(end, record);
     take(i, std::move(record));
-  });
+  };
+  run_isolated_together(work, later_round_limits(limits_, answer_seconds(limits_, jobs)), parallel, take_end);
 }
 
 bool Runner::run_series(const Job& job, SolveSeries& series, const std::function<void(const Record&)>& take,

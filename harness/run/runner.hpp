@@ -31,10 +31,13 @@ struct SolveExtras {
   std::function<void(const Record& answer)> on_answer = {};
 };
 
+class CaseTask;
+
 /// A case whose method has been asked whether it applies. The case must outlive it.
 struct Job {
   const Case* planned_case = nullptr;
   Applicability method = {};
+  std::shared_ptr<const CaseTask> task = {};  ///< of a case that is no solve of its scene; else null
 };
 
 /// Called with the record of job `index` after its first round and after each later one.
@@ -72,8 +75,9 @@ class Runner {
   void forget_references() { references_.clear(); }
 
   /// The first round of each job in a process of its own, at most `parallel` at the same time: solves, times
-  /// one round, measures and certifies. Keeps new orbits behind answers as confirmed. No record of a job that
-  /// an interrupt prevented.
+  /// one round, measures and certifies, or does its task. Keeps new orbits behind answers as confirmed. No
+  /// record of a job that an interrupt prevented.
+  /// \param jobs  solves, or tasks of one limit of time
   void run_first(const Scene& scene, std::span<const Job> jobs, int parallel, const TakeRecord& take,
                  const SolveExtras& extras = {});
 

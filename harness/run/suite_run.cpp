@@ -9,6 +9,7 @@
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/progress.hpp"
+#include "harness/responses/response_task.hpp"
 
 namespace signorini {
 
@@ -18,10 +19,9 @@ namespace {
 /// cases
 std::vector<Record> run_scene(const Scene& scene, const std::vector<const Case*>& cases,
                               const Schedule& schedule, Runner& runner, RecordStore& store,
-                              Progress& progress) {
+                              ExactResponse& exact, Progress& progress) {
   progress.begin(scene.problem.name + ": references");
-  const std::vector<Job> jobs = runner.make_jobs(scene, cases);
-  if (!interrupted()) runner.compute_references(scene, jobs);
+  const std::vector<Job> jobs = prepared_jobs(runner, scene, cases, exact);
   if (interrupted()) return {};
   std::vector<std::optional<Record>> begun;
   for (const Case* planned_case : cases)
@@ -48,9 +48,18 @@ std::vector<Record> run_scene(const Scene& scene, const std::vector<const Case*>
   return records;
 }
 
-/// Cases of the plan that the store does not hold, in order, by scene.
+bool is_exact(const Case& one) { return one.response && one.response->way == ResponseWay::exact; }
+
+/// Whether the cases have a response that needs the exact one, which is not among them.
+bool lacks_exact(const std::vector<const Case*>& cases) {
+  return std::ranges::any_of(cases, [](const Case* one) { return one->response.has_value(); }) &&
+         std::ranges::none_of(cases, [](const Case* one) { return is_exact(*one); });
+}
+
+/// Cases of the plan that the store does not hold, in order, by scene; and before others the exact response
+/// that they are measured against, unless its file is there.
 std::vector<std::vector<const Case*>> missing_cases(const Plan& plan, const Runner& runner,
-                                                    const RecordStore& store) {
+                                                    const RecordStore& store, ExactResponse& exact) {
   std::vector<std::vector<const Case*>> missing(plan.scenes.size());
   std::unordered_set<std::string> planned;
   for (const Case& planned_case : plan.cases) {
@@ -59,7 +68,22 @@ std::vector<std::vector<const Case*>> missing_cases(const Plan& plan, const Runn
     if (!store.contains(key) && planned.insert(key).second)
       missing[planned_case.scene].push_back(&planned_case);
   }
+  for (const Case& planned_case : plan.cases) {
+    std::vector<const Case*>& cases = missing[planned_case.scene];
+    const Scene& scene = plan.scenes[planned_case.scene];
+    if (is_exact(planned_case) && lacks_exact(cases) &&
+        !exact.read(scene.problem.name, runner.key_of(scene, planned_case)))
+      cases.insert(cases.begin(), &planned_case);
+  }
   return missing;
+}
+
+/// Takes the exact response of a scene from its file.
+void read_exact(const Plan& plan, std::size_t scene, const Runner& runner, ExactResponse& exact) {
+  for (const Case& one : plan.cases) {
+    if (one.scene == scene && is_exact(one))
+      static_cast<void>(exact.read(plan.scenes[scene].problem.name, runner.key_of(plan.scenes[scene], one)));
+  }
 }
 
 /// The cases of one scene and what is known of each.
@@ -83,6 +107,13 @@ struct SceneRounds {
     return std::move(records);
   }
 
+  /// What jobs of these are about: exact responses, which others are measured against, before all others.
+  [[nodiscard]] int kind_of(std::size_t index) const {
+    const std::optional<ResponseQuestion>& asked = jobs[index].planned_case->response;
+    if (!asked) return 3;
+    return asked->way == ResponseWay::exact ? 0 : asked->way == ResponseWay::arc_length ? 1 : 2;
+  }
+
   /// A case that was begun in an earlier run may be some rounds ahead of the others.
   [[nodiscard]] bool is_due(const std::optional<Record>& record, int round) const {
     if (round == 0) return !record;
@@ -93,10 +124,14 @@ struct SceneRounds {
   void run_round(int round) {
     std::vector<std::size_t> due = round_order(jobs.size(), schedule.seed, scene.problem.name, round);
     std::erase_if(due, [&](std::size_t index) { return !is_due(records[index], round); });
+    std::ranges::stable_partition(due, [&](std::size_t index) { return kind_of(index) == 0; });
+    if (schedule.parallel > 1) std::ranges::stable_sort(due, {}, [&](std::size_t i) { return kind_of(i); });
     // One by one where one runs at a time: each is announced before it begins.
-    const std::size_t together = schedule.parallel > 1 ? std::max<std::size_t>(1, due.size()) : 1;
-    for (std::size_t i = 0; i < due.size() && !interrupted(); i += together)
-      run_together(std::span(due).subspan(i, together), round);
+    for (std::size_t i = 0, next = 0; i < due.size() && !interrupted(); i = next) {
+      do ++next;
+      while (schedule.parallel > 1 && next < due.size() && kind_of(due[next]) == kind_of(due[i]));
+      run_together(std::span(due).subspan(i, next - i), round);
+    }
   }
 
   void run_together(std::span<const std::size_t> indices, int round) {
@@ -124,6 +159,16 @@ struct SceneRounds {
 
 }  // namespace
 
+std::vector<Job> prepared_jobs(Runner& runner, const Scene& scene, std::span<const Case* const> cases,
+                               ExactResponse& exact) {
+  std::vector<Job> jobs = runner.make_jobs(scene, cases);
+  give_tasks(scene, runner.limits(), exact, jobs);
+  std::vector<Job> solves = jobs;
+  std::erase_if(solves, [](const Job& job) { return job.task != nullptr; });
+  if (!interrupted()) runner.compute_references(scene, solves);
+  return jobs;
+}
+
 std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
   std::vector<PlannedCase> cases;
   std::unordered_set<std::string> keys;
@@ -138,7 +183,8 @@ std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner) {
 
 SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, const Schedule& schedule,
                         const SceneDone& scene_done) {
-  const std::vector<std::vector<const Case*>> missing = missing_cases(plan, runner, store);
+  ExactResponse exact(store.file().parent_path());
+  const std::vector<std::vector<const Case*>> missing = missing_cases(plan, runner, store, exact);
   std::size_t count = 0;
   for (const std::vector<const Case*>& cases : missing) count += cases.size();
   SuiteRunResult result{.present = plan.cases.size() - count};
@@ -147,7 +193,9 @@ SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, co
     const std::vector<const Case*>& cases = missing[s];
     if (cases.empty()) continue;
     runner.forget_references();
-    const std::vector<Record> records = run_scene(plan.scenes[s], cases, schedule, runner, store, progress);
+    if (lacks_exact(cases)) read_exact(plan, s, runner, exact);
+    const std::vector<Record> records =
+        run_scene(plan.scenes[s], cases, schedule, runner, store, exact, progress);
     result.ran += records.size();
     if (interrupted()) {
       result.interrupted = true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/plan/plan.hpp"
+#include "harness/responses/exact_response.hpp"
 #include "harness/run/runner.hpp"
 #include "harness/run_folder/record_store.hpp"
 #include "harness/run_folder/run_folder.hpp"
@@ -28,6 +29,12 @@ using SceneDone = std::function<void(const std::vector<Record>& records)>;
 /// complete; what is known before is kept aside, so that a kill loses only the round under way.
 SuiteRunResult run_plan(const Plan& plan, Runner& runner, RecordStore& store, const Schedule& schedule = {},
                         const SceneDone& scene_done = {});
+
+/// Asks the methods of cases of one scene, computes the references of its solves and gives responses their
+/// tasks. \param exact  the exact response of the scene; must outlive the jobs \return fewer jobs than cases
+/// after an interrupt
+std::vector<Job> prepared_jobs(Runner& runner, const Scene& scene, std::span<const Case* const> cases,
+                               ExactResponse& exact);
 
 /// Cases of a plan with their keys, each key once.
 std::vector<PlannedCase> planned_cases(const Plan& plan, const Runner& runner);

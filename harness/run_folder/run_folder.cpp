@@ -47,6 +47,7 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
 
 /// \throws UsageError if it is no folder that a run wrote
 Json manifest_of(const fs::path& folder) {
+  refuse_old_responses(folder);
   if (!fs::exists(folder / "manifest.json") || !fs::exists(folder / "records.jsonl")) {
     throw UsageError(
         fmt::format("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
@@ -216,6 +217,13 @@ Limits limits_of_run(const fs::path& folder) {
     throw UsageError(
         fmt::format("{}: limits = unreadable (must be a manifest that run wrote)", file.string()));
   }
+}
+
+void refuse_old_responses(const fs::path& folder) {
+  if (fs::exists(folder / "records.jsonl") || !fs::exists(folder / "responses.jsonl")) return;
+  throw UsageError(fmt::format(
+      "dir = {} (must hold records.jsonl, not responses.jsonl of an earlier version: `run` makes them anew)",
+      folder.string()));
 }
 
 std::string run_name(const fs::path& folder) {

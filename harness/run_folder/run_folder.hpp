@@ -69,6 +69,10 @@ nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, c
 /// \throws UsageError if it is unreadable
 Limits limits_of_run(const std::filesystem::path& folder);
 
+/// Refuses a folder with the responses.jsonl of an earlier version and no records. \throws UsageError that
+/// says how they are made anew
+void refuse_old_responses(const std::filesystem::path& folder);
+
 /// The run's name: that of its folder.
 std::string run_name(const std::filesystem::path& folder);
 

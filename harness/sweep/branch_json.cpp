@@ -133,12 +133,14 @@ auto read_plain(const char* what, const Json& json, Read&& read) {
 
 }  // namespace
 
-Json to_json(const Branch& branch, const std::string& method) {
+Json to_json(const Branch& branch, const std::string& method, const std::string& other_law) {
   Json points = Json::array(), special = Json::array();
   for (const SolutionPoint& point : branch.points) points.push_back(point_json(point));
   for (const SpecialPoint& at : branch.special) special.push_back(special_json(at));
-  return {{"method", method},   {"sequence", branch.sequence}, {"points", points},
-          {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
+  Json json{{"method", method},   {"sequence", branch.sequence}, {"points", points},
+            {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
+  if (!other_law.empty()) json["other_law"] = other_law;
+  return json;
 }
 
 Branch branch_from_json(const Json& json) {
@@ -154,9 +156,10 @@ Branch branch_from_json(const Json& json) {
   });
 }
 
-Json to_json(const SweepPoint& step, const std::string& method) {
+Json to_json(const SweepPoint& step, const std::string& method, const std::string& other_law) {
   Json line{{"method", method}};
   line.update(to_json(step));
+  if (!other_law.empty()) line["other_law"] = other_law;
   return line;
 }
 

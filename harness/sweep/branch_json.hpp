@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "harness/records/response_fields.hpp"
 #include "harness/sweep/frequency_response.hpp"
 #include "methods/curve.hpp"
 
@@ -15,10 +16,13 @@ namespace signorini {
 /// parameter is not the frequency, "energy" where no load drives the motion, and "motion", x_j by instants,
 /// where that was asked for. A special point is a point with "kind", "after", the number of points before it,
 /// and "text".
-nlohmann::ordered_json to_json(const Branch& branch, const std::string& method);
+/// `other_law` is there unless it is empty.
+nlohmann::ordered_json to_json(const Branch& branch, const std::string& method,
+                               const std::string& other_law = {});
 
 /// A step of a method: "method" and the keys of to_json(step).
-nlohmann::ordered_json to_json(const SweepPoint& step, const std::string& method);
+nlohmann::ordered_json to_json(const SweepPoint& step, const std::string& method,
+                               const std::string& other_law = {});
 
 /// The branch that to_json wrote, of a file that anybody may have written: a number that was not finite is
 /// NaN. \throws BadRecord unless counts are whole numbers in the range of what is counted, texts have no

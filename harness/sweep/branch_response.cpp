@@ -31,11 +31,13 @@ Json steps_json(const MethodResponse& response) {
                       {"status", status_name(step.status)},
                       {"stable", step.stable ? Json(*step.stable) : Json()}});
   }
-  return {{"method", response.method},
-          {"points", points},
-          {"special", Json::array()},
-          {"began", "first frequency"},
-          {"ended", "last frequency"}};
+  Json json{{"method", response.method},
+            {"points", points},
+            {"special", Json::array()},
+            {"began", "first frequency"},
+            {"ended", "last frequency"}};
+  if (!response.other_law.empty()) json["other_law"] = response.other_law;
+  return json;
 }
 
 Cell number_of(double value) { return {fmt::format("{:.10g}", value), value}; }
@@ -146,12 +148,16 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
   return found;
 }
 
+std::string name_with_law(const MethodResponse& response) {
+  return response.method + (response.other_law.empty() ? "" : ", " + response.other_law);
+}
+
 Json to_json(const std::vector<MethodResponse>& responses) {
   Json branches = Json::array(), notes = Json::array();
   std::string unfinished, parameter(kFrequency);
   for (const MethodResponse& response : responses) {
     for (const Branch& branch : response.diagram.branches)
-      branches.push_back(to_json(branch, response.method));
+      branches.push_back(to_json(branch, response.method, response.other_law));
     for (const std::string& note : response.diagram.notes) notes.push_back(note);
     if (!response.steps.empty()) branches.push_back(steps_json(response));
     if (unfinished.empty()) unfinished = response.diagram.unfinished;
@@ -184,13 +190,13 @@ Table branch_table(const std::vector<MethodResponse>& responses, std::size_t fir
                   "order",         "impacts",   "x max [m]",
                   "amplitude [m]", "stability", "mark"};
   for (const MethodResponse& response : responses) {
+    const std::string name = name_with_law(response);
     const auto& add = response.at_values ? add_points : add_rows;
     for (std::size_t i = 0; i < response.diagram.branches.size(); ++i)
-      add(table, response.method, first + i, response.diagram.branches[i]);
+      add(table, name, first + i, response.diagram.branches[i]);
     for (const SweepPoint& step : response.steps) {
-      table.rows.push_back({response.method, number_of(0), number_of(step.frequency),
-                            number_of(response.order), "-", largest_cell(step.x_max),
-                            largest_cell(step.amplitude),
+      table.rows.push_back({name, number_of(0), number_of(step.frequency), number_of(response.order), "-",
+                            largest_cell(step.x_max), largest_cell(step.amplitude),
                             !step.stable   ? "-"
                             : *step.stable ? "stable"
                                            : "unstable",

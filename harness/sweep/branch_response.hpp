@@ -45,19 +45,24 @@ Branch points_at(const Branch& branch, const std::vector<double>& values);
 /// What one method makes of a response: its branches, or the points of its steps.
 struct MethodResponse {
   std::string method;                               ///< label of the choice
+  std::string other_law = {};                       ///< law_remark of the method on the scene: "e = 1"
   BranchDiagram diagram = {};                       ///< by arc length
   std::vector<SweepPoint> steps = {};               ///< of any other, or with natural steps
   int order = 1;                                    ///< of the motions that the steps look for
   std::string parameter = std::string(kFrequency);  ///< of the branches
   bool at_values = false;                           ///< the branches hold points_at values only
+  std::string failure = {};                         ///< of a process that ended early
 };
+
+/// "aft-hbm", or with the law that the method represents where that is not the scene's, "aft-hbm, e = 1".
+std::string name_with_law(const MethodResponse& response);
 
 /// {"parameter", "branches", "unfinished", "notes"}, branches as to_json of a Branch has them. Points of
 /// natural steps are {"omega", "order", "amplitude", "x_max", "status", "stable"}.
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
 /// One row per point and, unless points at values were asked for, special point, in the order of the
-/// branches. \param first  number of the first branch
+/// branches, with name_with_law as method. \param first  number of the first branch
 Table branch_table(const std::vector<MethodResponse>& responses, std::size_t first = 0);
 
 }  // namespace signorini

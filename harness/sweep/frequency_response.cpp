@@ -134,7 +134,7 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
   if (range.back) way.insert(way.end(), first.rbegin(), first.rend());
   std::vector<SweepPoint> points;
   if (std::chrono::steady_clock::now() > limits.deadline) return points;
-  Runner runner(Limits{.timeout = limits.timeout, .repetitions = 1});
+  Runner runner(Limits{.timeout = limits.timeout, .memory_mb = limits.memory_mb, .repetitions = 1});
   const SolveExtras extras{.samples = instants_kept(scene.problem),
                            .timed = false,
                            .certified = limits.certified,
@@ -154,15 +154,17 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
   return points;
 }
 
-Table response_table(const std::vector<SweepPoint>& points, bool certified) {
+Table response_table(const std::vector<SweepPoint>& points, bool certified, const std::string& other_law) {
   Table table;
   table.header = {"omega [rad/s]", "way", "status", "x max [m]", "amplitude [m]", "contact ratio"};
   if (certified) table.header.emplace_back("stability");
+  if (!other_law.empty()) table.header.emplace_back("other law");
   for (const SweepPoint& point : points) {
     std::vector<Cell> row{number_cell(point.frequency),           std::string(way_name(point)),
                           std::string(status_name(point.status)), number_cell(largest(point.x_max)),
                           number_cell(largest(point.amplitude)),  number_cell(point.contact_ratio)};
     if (certified) row.emplace_back(stability_text(point));
+    if (!other_law.empty()) row.emplace_back(other_law);
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -48,7 +48,8 @@ struct SweepPoint {
 };
 
 struct SweepLimits {
-  double timeout = 10.0;   ///< of one solve [s]
+  double timeout = 10.0;               ///< of one solve [s]
+  int memory_mb = Limits{}.memory_mb;  ///< of one solve [MiB]
   bool certified = false;  ///< look for the orbit behind each answer: its stability, and whether it is one
   /// After which no solve begins.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
@@ -64,9 +65,10 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
                                            const SweepRange& range, const SweepLimits& limits,
                                            const TakePoint& take = {});
 
-/// One row per point in the order of the solves; `certified` adds the column of stability. What is absent is
-/// "-".
-Table response_table(const std::vector<SweepPoint>& points, bool certified);
+/// One row per point in the order of the solves; `certified` adds the column of stability, and `other_law`,
+/// unless it is empty, one with that law in each row. What is absent is "-".
+Table response_table(const std::vector<SweepPoint>& points, bool certified,
+                     const std::string& other_law = {});
 
 /// Keys `frequency`, `way` ("up" or "down", as the frequency goes), `status`, `message`, `x_max`,
 /// `amplitude`, `contact_ratio`, `stable`; absent where a notion is.

@@ -127,12 +127,12 @@ std::optional<MethodResponse> ResponseFolder::complete(const std::string& method
   return found->second.response;
 }
 
-void ResponseFolder::add(const std::string& method, const Branch& branch) {
-  append_line(lines_, json_line(to_json(branch, method)), file_);
+void ResponseFolder::add(const MethodResponse& of, const Branch& branch) {
+  append_line(lines_, json_line(to_json(branch, of.method, of.other_law)), file_);
 }
 
-void ResponseFolder::add(const std::string& method, const SweepPoint& step) {
-  append_line(lines_, json_line(to_json(step, method)), file_);
+void ResponseFolder::add(const MethodResponse& of, const SweepPoint& step) {
+  append_line(lines_, json_line(to_json(step, of.method, of.other_law)), file_);
 }
 
 void ResponseFolder::finish(const MethodResponse& response, const std::string& key) {

@@ -45,9 +45,9 @@ class ResponseFolder {
   [[nodiscard]] std::optional<MethodResponse> complete(const std::string& method,
                                                        const std::string& key) const;
   /// Appends a branch of a method. \throws UsageError if there is no room
-  void add(const std::string& method, const Branch& branch);
+  void add(const MethodResponse& of, const Branch& branch);
   /// Appends a step of a method. \throws UsageError if there is no room
-  void add(const std::string& method, const SweepPoint& step);
+  void add(const MethodResponse& of, const SweepPoint& step);
   /// Marks a response as complete, all of whose branches or steps were added. \throws UsageError if there is
   /// no room, std::system_error if the disk refuses otherwise
   void finish(const MethodResponse& response, const std::string& key);

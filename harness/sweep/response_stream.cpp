@@ -23,26 +23,28 @@ void print_line(const std::string& line) {
 ResponseStream::ResponseStream(std::string format, MethodResponse shape)
     : format_(std::move(format)), shape_(std::move(shape)) {}
 
-void ResponseStream::branch(const std::string& method, const Branch& branch) {
-  if (method != method_) branches_ = 0;
-  method_ = method;
+void ResponseStream::branch(const MethodResponse& of, const Branch& branch) {
+  if (of.method != method_) branches_ = 0;
+  method_ = of.method;
   if (format_ == "jsonl") {
-    print_line(json_line(to_json(branch, method)));
+    print_line(json_line(to_json(branch, of.method, of.other_law)));
   } else if (prints()) {
     MethodResponse response = shape_;
-    response.method = method;
+    response.method = of.method;
+    response.other_law = of.other_law;
     response.diagram.branches = {branch};
     rows(response);
   }
   ++branches_;
 }
 
-void ResponseStream::step(const std::string& method, const SweepPoint& step) {
+void ResponseStream::step(const MethodResponse& of, const SweepPoint& step) {
   if (format_ == "jsonl") {
-    print_line(json_line(to_json(step, method)));
+    print_line(json_line(to_json(step, of.method, of.other_law)));
   } else if (prints()) {
     MethodResponse response = shape_;
-    response.method = method;
+    response.method = of.method;
+    response.other_law = of.other_law;
     response.steps = {step};
     rows(response);
   }

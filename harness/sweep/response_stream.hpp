@@ -17,8 +17,8 @@ class ResponseStream {
   ResponseStream(std::string format, MethodResponse shape);
 
   [[nodiscard]] bool prints() const { return format_ == "csv" || format_ == "jsonl"; }
-  void branch(const std::string& method, const Branch& branch);
-  void step(const std::string& method, const SweepPoint& step);
+  void branch(const MethodResponse& of, const Branch& branch);
+  void step(const MethodResponse& of, const SweepPoint& step);
 
  private:
   void rows(const MethodResponse& response);

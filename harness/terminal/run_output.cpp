@@ -34,10 +34,15 @@ void SceneLines::print() {
 }
 
 void print_scene(const std::vector<Record>& records) {
-  std::vector<Section> sections = case_sections(Evaluation(records));
-  sections.front().title = records.front().scene;  // a scene is done with the case that was its last
-  sections.front().note.clear();                   // the whole report has it
-  fmt::print("{}\n", markdown_report(sections));
+  const Evaluation evaluation(records);
+  std::vector<Section> rows;
+  for (const Section& section : sections_of(evaluation)) {
+    if (section.kind != SectionKind::cases && section.id != "response-cases") continue;
+    rows.push_back(section);
+    rows.back().title = records.front().scene;  // a scene is done with the case that was its last
+    rows.back().note.clear();                   // the whole report has it
+  }
+  fmt::print("{}\n", markdown_report(rows));
   std::fflush(stdout);
 }
 

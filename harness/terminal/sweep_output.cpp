@@ -59,7 +59,7 @@ std::string branches_text(const MethodResponse& response) {
   const std::vector<Branch>& branches = response.diagram.branches;
   const bool over_frequency = response.parameter == kFrequency;
   std::string text =
-      fmt::format("{}: {}\n{:>14}{:>15}\n", response.method,
+      fmt::format("{}: {}\n{:>14}{:>15}\n", name_with_law(response),
                   branches.size() == 1 ? "1 branch" : fmt::format("{} branches", branches.size()),
                   over_frequency ? "omega [rad/s]" : response.parameter, "amplitude [m]");
   for (std::size_t i = 0; i < branches.size(); ++i) text += branch_text(i, branches[i]);

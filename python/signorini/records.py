@@ -11,7 +11,8 @@ from .libraries import library
 from .program import BadInput
 from .response import flat
 
-LISTS = ("waveforms", "trajectory", "certificate.events", "certificate.floquet", "seconds.rounds", "physics.effective_restitution")
+LISTS = ("waveforms", "trajectory", "certificate.events", "certificate.floquet", "seconds.rounds", "physics.effective_restitution",
+         "response.branches", "response.located", "response.open_ends", "response.comparison")
 
 
 def load(folder: str | Path) -> list[dict]:

@@ -154,9 +154,9 @@ def responses(program, random, count, folder, findings):
     run.mkdir()
     for number in range(count):
         text = damaged(whole, [whole], random)
-        (run / "responses.jsonl").write_bytes(text)
+        (run / "records.jsonl").write_bytes(text)
         drawn = ["--format", "html"] if number % 20 == 19 else []
-        campaign.attack(program, ["report", "run", *drawn], folder, [run / "responses.jsonl"], codes=(0, 1, 2, 3),
+        campaign.attack(program, ["report", "run", *drawn], folder, [run / "records.jsonl"], codes=(0, 1, 2, 3),
                         seconds=60.0, given=text)
         shutil.rmtree(run / "figures", ignore_errors=True)
     yield campaign
@@ -204,7 +204,6 @@ def special_files(program, random, count, folder, findings):
               "mass.mtx": [["show", "./scene.toml"]],
               "start.json": [["solve", "sdof-stop", "--method", "hat-lcp", "--start", "start.json"]],
               "run/records.jsonl": [["status", "run"], ["report", "run", "--format", "md"], ["compare", "whole", "run"]],
-              "run/responses.jsonl": [["report", "run"]],
               "run/branches.jsonl": [[*kept, "run", "--resume"], [*kept, "run"]],
               "run/manifest.json": [["report", "run", "--format", "csv"], ["merge", "run", "--out", "merged"],
                                     [*kept, "run", "--resume"]],

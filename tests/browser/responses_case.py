@@ -15,8 +15,8 @@ class Responses(PageCase):
 
     def test_the_verdict_comes_first_and_names_a_method(self):
         self.open()
-        self.assertEqual(self.ask("document.querySelector('main section').id"), "verdict")
-        rows = self.ask("[...document.querySelectorAll('#verdict tbody tr')].map((r) => [...r.cells].map((c) => c.textContent))")
+        self.assertEqual(self.ask("document.querySelector('main section').id"), "response-verdict")
+        rows = self.ask("[...document.querySelectorAll('#response-verdict tbody tr')].map((r) => [...r.cells].map((c) => c.textContent))")
         self.assertEqual(rows[0][:4], ["Rigid stop (e = 1), 1 response", "exact-orbit[samples=64]", "100.0 %", "0.0 %"])
         self.assertEqual(self.ask("document.querySelectorAll('#responses tbody tr').length"), 3 * len(rows))
 
@@ -29,8 +29,8 @@ class Responses(PageCase):
             self.assertTrue(self.ask(f"[...{drawn('response')}.querySelectorAll('.line.broad')].some((p) => p.hasAttribute('stroke-dasharray') === {str(dashed).lower()})"), line)
         # Every special point of the record is a mark that says what it is.
         marks = self.ask(f"[...{drawn('response')}.querySelectorAll('.orbit .mark')].map((m) => m.getAttribute('aria-label'))")
-        kept = [json.loads(line) for line in (self.pages[0].parent / "responses.jsonl").read_text().splitlines()]
-        exact = next(one for one in kept if "method" not in one and one["scene"] == "sdof-stop")
+        kept = [json.loads(line) for line in (self.pages[0].parent / "records.jsonl").read_text().splitlines()]
+        exact = next(one["response"] for one in kept if one["case"] == "sdof-stop/exact response")
         self.assertEqual([mark.split(",")[1].split(":")[0].strip() for mark in marks], [point["kind"] for point in exact["located"]])
         self.assertTrue(self.ask(f"{drawn('response')}.querySelectorAll('.kinds span').length") >= len(set(p["kind"] for p in exact["located"])))
 
@@ -45,7 +45,7 @@ class Responses(PageCase):
         self.browser.wait("document.getElementById('record').open")
         record = json.loads(self.ask("document.querySelector('#record pre').textContent"))
         self.assertEqual(record["scene"], self.ask(f"{drawn('response')}.dataset.of"))
-        self.assertNotIn("branches", record)
+        self.assertNotIn("branches", record["response"])
         self.browser.press("Escape")
 
     def test_every_method_can_be_switched_off(self):
@@ -75,7 +75,7 @@ class Responses(PageCase):
         self.browser.click("document.querySelector('.beside td a[href^=\"#record-\"]')")
         self.browser.wait("document.getElementById('record').open")
         name = self.ask("document.querySelector('.beside tbody th a').textContent")
-        self.assertEqual(self.ask("document.getElementById('record-title').textContent"), f"sdof-stop/{name}")
+        self.assertEqual(self.ask("document.getElementById('record-title').textContent"), f"sdof-stop/{name} by arc length")
         self.browser.press("Escape")
 
     def test_it_is_accessible_in_light_and_dark_wide_and_on_a_phone(self):
@@ -87,7 +87,7 @@ class Responses(PageCase):
                     self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), size[0], "wider than the window")
                     if self.pictures:
                         name = f"responses-{'dark' if dark else 'light'}-{size[0]}"
-                        for kind in ("verdict", "scene-sdof-stop", "cases"):
+                        for kind in ("response-verdict", "scene-sdof-stop", "cases"):
                             self.ask(f"document.getElementById('{kind}').scrollIntoView()")
                             self.ask("new Promise((resume) => setTimeout(resume, 200))")
                             self.browser.picture(f"{self.pictures}/{name}-{kind}.png")

@@ -89,9 +89,9 @@ class Responses(unittest.TestCase):
         words = texts(self.root)
         self.assertEqual(len([t for t in self.root.iter(SVG + "text") if t.get("class") == "heading"]), 4)
         self.assertIn("fourier-lipschitz[harmonics=20]: another law", words)
-        kept = [json.loads(line) for line in (self.folder / "responses.jsonl").read_text().splitlines()]
-        hat = next(r for r in kept if r["case"] == "sdof-stop/hat-lcp[samples=128]")
-        self.assertIn(f"hat-lcp[samples=128]: {100 * hat['comparison']['within_0.02']['covered']:.0f} % found", words)
+        kept = [json.loads(line) for line in (self.folder / "records.jsonl").read_text().splitlines()]
+        hat = next(r for r in kept if r["case"] == "sdof-stop/hat-lcp[samples=128] by arc length")
+        self.assertIn(f"hat-lcp[samples=128]: {100 * hat['response']['comparison']['within_0.02']['covered']:.0f} % found", words)
 
     def test_dashes_unstable_branches_and_draws_methods_over_the_exact_ones(self):
         exact = [p for p in self.root.iter(SVG + "path") if p.get("class") == "exact"]

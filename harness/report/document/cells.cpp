@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "harness/text/words.hpp"
-
 namespace signorini {
 
 namespace {
@@ -29,22 +27,6 @@ Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all) {
 std::string in_place(Status status) { return fmt::format("({})", status_name(status)); }
 
 std::string in_place(const Record& record) { return in_place(record.status); }
-
-std::string law_text(const RepresentedLaw& law) {
-  struct Printer {
-    std::string operator()(std::monostate) const { return "no contact"; }
-    std::string operator()(const Restitution& l) const { return fmt::format("e = {:g}", l.e); }
-    std::string operator()(const Penalty& l) const {
-      std::vector<double> shown = l.stiffness;
-      const bool equal = std::ranges::adjacent_find(shown, std::ranges::not_equal_to{}) == shown.end();
-      if (equal && !shown.empty()) shown.resize(1);
-      return "k = " + joined(shown, "{:g}", ", ") + " N/m";
-    }
-    std::string operator()(Massless) const { return "massless"; }
-    std::string operator()(Undetermined) const { return "undetermined"; }
-  };
-  return std::visit(Printer{}, law);
-}
 
 std::string error_text(const Record& record) {
   if (!claim_of(record)) return in_place(record);

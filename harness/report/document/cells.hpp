@@ -19,9 +19,6 @@ Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all);
 std::string in_place(Status status);
 std::string in_place(const Record& record);
 
-/// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".
-std::string law_text(const RepresentedLaw& law);
-
 /// The relative error of x as tables print it: two digits, `<` and what is known of the orbit where the error
 /// is below that; "near: 2.7e-01" of an answer that is near an orbit, but not certified by it. Where there is
 /// none, the reason.

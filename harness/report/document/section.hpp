@@ -24,11 +24,12 @@ inline constexpr double kPixelsPerCentimetre = 96.0 / 2.54;
 
 /// What the rows of a section's table are, which decides where a page shows it.
 enum class SectionKind {
-  overview,  ///< of methods, over scenes
-  scenes,    ///< of methods on one scene, which stands in the first column
-  cases,     ///< every record
-  remarks,   ///< records that did not go as hoped
-  origin     ///< of how the run was made, which a page shows last
+  overview,   ///< of methods, over scenes
+  scenes,     ///< of methods on one scene, which stands in the first column
+  responses,  ///< of methods on the response of one scene, which stands in the first column
+  cases,      ///< every record
+  remarks,    ///< records that did not go as hoped
+  origin      ///< of how the run was made, which a page shows last
 };
 
 /// One table with its words and figures. Text is plain, `code` between backquotes.

@@ -65,10 +65,16 @@ CaseOutcome outcome_of(const Record& record) {
   return {.status = record.status,
           .certificate = record.certificate.status,
           .law_matches_scene = record.law_matches_scene,
-          .same_orbit = record.certificate.same_orbit};
+          .same_orbit = record.certificate.same_orbit,
+          .response = record.response.has_value()};
 }
 
 void CaseResults::add(const Record& record) {
+  if (record.response) {
+    responses.push_back(record);
+    response_sources_.push_back(count_++);
+    return;
+  }
   CaseResult result{.case_id = record.case_id,
                     .choice = choice_of(record),
                     .scene = scene_of(record),
@@ -101,11 +107,14 @@ bool CaseChoice::is_plain() const {
 // In place: a second list would be half of the memory that the evaluation of a large run takes.
 void CaseResults::keep(const std::vector<std::size_t>& sources) {
   constexpr std::size_t kDropped = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> places(all.size(), kDropped);  // by number
+  std::vector<std::size_t> places(count_, kDropped);  // by number
   for (std::size_t i = 0; i < sources.size(); ++i) places[sources[i]] = i;
   const auto place = [&](const CaseResult& result) { return places[result.source]; };
   std::erase_if(all, [&](const CaseResult& result) { return place(result) == kDropped; });
   std::ranges::sort(all, {}, place);
+  std::size_t i = 0;
+  std::erase_if(responses, [&](const Record&) { return places[response_sources_[i++]] == kDropped; });
+  std::erase_if(response_sources_, [&](std::size_t source) { return places[source] == kDropped; });
 }
 
 const CaseChoice* CaseResults::choice_of(const Record& record) {

@@ -51,6 +51,7 @@ struct CaseOutcome {
   CertificateStatus certificate = CertificateStatus::none;
   std::optional<bool> law_matches_scene = {};
   std::optional<bool> same_orbit = {};  ///< Certificate::same_orbit
+  bool response = false;                ///< it is a whole response, which has no certificate
 };
 
 /// The outcome of a record.
@@ -87,6 +88,7 @@ class CaseResults {
   void keep(const std::vector<std::size_t>& sources);
 
   std::vector<CaseResult> all = {};
+  std::vector<Record> responses = {};  ///< records of frequency responses, whole: no figures stand for them
 
  private:
   const CaseChoice* choice_of(const Record& record);
@@ -99,6 +101,7 @@ class CaseResults {
   std::unordered_map<std::string, CaseScene> scenes_;
   std::unordered_map<std::string, RepresentedLaw> laws_;
   std::unordered_set<std::string> names_;
+  std::vector<std::size_t> response_sources_;  // numbers of `responses`
   std::size_t count_ = 0;
 };
 

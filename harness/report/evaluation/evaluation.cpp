@@ -21,6 +21,12 @@ bool before(const CaseResult& a, const CaseResult& b) {
   return natural_less(a.case_id, b.case_id);
 }
 
+bool response_before(const Record& a, const Record& b) {
+  if (a.scene != b.scene) return natural_less(a.scene, b.scene);
+  const ResponseWay first = a.response->question.way, second = b.response->question.way;
+  return first != second ? first < second : natural_less(a.case_id, b.case_id);
+}
+
 CaseResults results_of_records(const std::vector<Record>& records) {
   CaseResults results;
   for (const Record& record : records) results.add(record);
@@ -57,6 +63,7 @@ Evaluation::Evaluation(const std::shared_ptr<const std::vector<Record>>& records
 Evaluation::Evaluation(CaseResults results, RecordReader read, const Limits& limits)
     : results_(std::move(results)), read_(std::move(read)), time_limit_(limits.timeout) {
   std::ranges::stable_sort(results_.all, before);
+  std::ranges::stable_sort(results_.responses, response_before);
   repeated_ = repeated_problems(results_.all);
   studies_ = resolution_studies(results_.all);
   groups_ = ranking_groups(studies_, [this](const std::string& scene) { return is_ranked(scene); });

@@ -35,6 +35,9 @@ class Evaluation {
   [[nodiscard]] std::span<const CaseResult> results_of(const std::string& scene) const;
   /// The whole record of a result of this evaluation; it may have to be read from its file.
   [[nodiscard]] Record record_of(const CaseResult& result) const { return read_(result.source); }
+  /// Records of frequency responses by scene, the exact one first, then by arc length before by steps, by
+  /// case. They are no results.
+  [[nodiscard]] const std::vector<Record>& responses() const { return results_.responses; }
   /// By scene.
   [[nodiscard]] const std::vector<ResolutionStudy>& studies() const { return studies_; }
   /// Those of a scene of this evaluation.
@@ -56,6 +59,8 @@ class Evaluation {
   [[nodiscard]] bool is_ranked(const std::string& scene) const;
   /// Where a result of this evaluation stands among its results.
   [[nodiscard]] std::size_t place_of(const CaseResult& result) const;
+  /// Where a response stands in a report: after all results. \param i  its place in `responses`
+  [[nodiscard]] std::size_t place_of_response(std::size_t i) const { return results_.all.size() + i; }
   /// Where a configuration stands among all.
   [[nodiscard]] std::size_t place_of(const std::string& configuration) const;
 

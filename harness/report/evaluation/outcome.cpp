@@ -8,7 +8,7 @@
 namespace signorini {
 
 std::optional<Claim> claim_of(const CaseOutcome& outcome) {
-  return claim_of(outcome.status, outcome.certificate);
+  return outcome.response ? std::nullopt : claim_of(outcome.status, outcome.certificate);
 }
 
 bool has_another_law(const CaseOutcome& outcome) { return outcome.law_matches_scene == false; }
@@ -43,7 +43,9 @@ void OutcomeCounts::add(const CaseOutcome& outcome) {
   const bool refused = outcome.status == Status::not_applicable;
   ++cases;
   not_applicable += refused ? 1 : 0;
-  failed += !claim && !refused ? 1 : 0;
+  const bool is_followed = outcome.response && outcome.status == Status::converged;
+  followed += is_followed ? 1 : 0;
+  failed += !claim && !refused && !is_followed ? 1 : 0;
   refuted += claim == Claim::refuted ? 1 : 0;
   unproven += claim == Claim::unproven ? 1 : 0;
   another_law += !refused && has_another_law(outcome) ? 1 : 0;

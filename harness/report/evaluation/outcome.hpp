@@ -39,6 +39,7 @@ struct OutcomeCounts {
   int same_orbit = 0, other_orbit = 0;  ///< certified, and the orbit reached from rest or another one
   int another_law = 0;                  ///< applicable cases of another law than the scene's
   int solved = 0;                       ///< certified cases of the scene's law
+  int followed = 0;                     ///< responses with a branch, of which nothing is claimed
 
   void add(const CaseOutcome& outcome);
   [[nodiscard]] int applicable() const { return cases - not_applicable; }

@@ -34,6 +34,10 @@ std::vector<Figure> option_figures(const Evaluation& evaluation, const std::stri
 std::vector<Figure> motion_figures(const Evaluation& evaluation, const std::string& scene,
                                    Column column = Column::own);
 
+/// Amplitude over frequency of every response: the exact branches, stable and unstable, under those of the
+/// methods, a panel each, which names the law where that is not the scene's.
+std::vector<Figure> response_figures(const Evaluation& evaluation, Column column = Column::own);
+
 /// Joint performance profiles [dolan2002] of the group at this place of Evaluation::groups, at three errors.
 Figure profile_figure(const Evaluation& evaluation, std::size_t group, Column column = Column::own);
 

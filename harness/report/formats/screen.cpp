@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "harness/cluster/scripts.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/report/evaluation/hand_over.hpp"
+#include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 
 namespace signorini {
@@ -19,8 +22,8 @@ std::string counts_text(const OutcomeCounts& counts) {
   std::string text = plural(counts.cases, "case");
   for (const auto& [count, word] :
        {std::pair{counts.certified, "certified"}, std::pair{counts.unproven, "unproven"},
-        std::pair{counts.refuted, "refuted"}, std::pair{counts.failed, "failed"},
-        std::pair{counts.not_applicable, "not applicable"}}) {
+        std::pair{counts.refuted, "refuted"}, std::pair{counts.followed, "followed"},
+        std::pair{counts.failed, "failed"}, std::pair{counts.not_applicable, "not applicable"}}) {
     if (count > 0) text += fmt::format(", {} {}", count, word);
   }
   return text;
@@ -60,6 +63,11 @@ ScreenLines failure_lines(const Evaluation& evaluation) {
     counts.emplace_back(configuration, OutcomeCounts{});
   for (const CaseResult& result : evaluation.results())
     counts[evaluation.place_of(result.choice->configuration)].second.add(result.outcome);
+  for (const std::string& label : response_labels(evaluation.responses())) {
+    OutcomeCounts& own = counts.emplace_back(label, OutcomeCounts{}).second;
+    for (const Record& record : evaluation.responses())
+      if (!is_exact(record) && response_label(record) == label) own.add(outcome_of(record));
+  }
   const auto wrong = [](const auto& entry) { return entry.second.failed + entry.second.refuted; };
   std::erase_if(counts, [&](const auto& entry) { return wrong(entry) == 0; });
   if (counts.empty()) return {};
@@ -71,6 +79,13 @@ ScreenLines failure_lines(const Evaluation& evaluation) {
   return listed("Failed or refuted:", items);
 }
 
+std::optional<Status> status_of_case(const Evaluation& evaluation, const std::string& case_id) {
+  const auto result = std::ranges::find(evaluation.results(), case_id, &CaseResult::case_id);
+  if (result != evaluation.results().end()) return result->outcome.status;
+  const auto record = std::ranges::find(evaluation.responses(), case_id, &Record::case_id);
+  return record == evaluation.responses().end() ? std::nullopt : std::optional(record->status);
+}
+
 ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std::string>& cases) {
   if (cases.empty()) return {};
   constexpr std::size_t kMostCases = 4;
@@ -80,9 +95,8 @@ ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std
                      Emphasis::bad}};
   const std::size_t shown = cases.size() <= kMostCases ? cases.size() : kMostCases - 1;
   for (std::size_t i = 0; i < shown; ++i) {
-    const auto result = std::ranges::find(evaluation.results(), cases[i], &CaseResult::case_id);
-    const std::string status =
-        result == evaluation.results().end() ? "" : ": " + std::string(status_name(result->outcome.status));
+    const std::optional<Status> found = status_of_case(evaluation, cases[i]);
+    const std::string status = found ? ": " + std::string(status_name(*found)) : "";
     lines.push_back({clipped("  " + cases[i], kScreenWidth - status.size()) + status});
   }
   if (shown < cases.size()) lines.push_back({fmt::format("  and {} more", cases.size() - shown)});
@@ -102,7 +116,9 @@ ScreenLines command_lines(const std::string& words, const std::string& command) 
 /// What happened, in one or two sentences.
 ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& context) {
   const bool together =
-      std::ranges::any_of(evaluation.results(), [](const CaseResult& result) { return result.together; });
+      std::ranges::any_of(evaluation.results(), [](const CaseResult& result) { return result.together; }) ||
+      std::ranges::any_of(evaluation.responses(),
+                          [](const Record& record) { return record.seconds && record.seconds->jobs; });
   ScreenLines lines;
   if (!context.heading.empty()) append(lines, wrapped_text(context.heading));
   append(lines, wrapped_text(counts_line(evaluation)));
@@ -137,15 +153,21 @@ std::string painted(const ScreenLine& line, bool colour) {
 std::string counts_line(const Evaluation& evaluation) {
   OutcomeCounts counts;
   for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
-  const auto scenes = static_cast<std::ptrdiff_t>(evaluation.scenes().size());
-  return plural(scenes, "scene") + ", " + counts_text(counts);
+  std::set<std::string_view> scenes(evaluation.scenes().begin(), evaluation.scenes().end());
+  for (const Record& record : evaluation.responses()) {
+    counts.add(outcome_of(record));
+    scenes.insert(record.scene);
+  }
+  return plural(std::ssize(scenes), "scene") + ", " + counts_text(counts);
 }
 
 std::string screen_report(const Evaluation& evaluation, const ScreenContext& context) {
   ScreenLines lines = opening_lines(evaluation, context);
   ScreenLines closing = closing_lines(evaluation, context);
   const std::size_t taken = lines.size() + closing.size();
-  append(lines, group_lines(evaluation, kScreenLines - std::min(kScreenLines, taken)));
+  const std::size_t room = kScreenLines - std::min(kScreenLines, taken);
+  if (!evaluation.results().empty()) append(lines, group_lines(evaluation, room));
+  append(lines, response_lines(evaluation, room));
   append(lines, std::move(closing));
   std::string text;
   for (const ScreenLine& line : lines) text += painted(line, context.colour);

@@ -45,4 +45,8 @@ std::string verdict_title(const SceneGroup& group);
 /// second one. Nothing where no scene has a kind.
 ScreenLines group_lines(const Evaluation& evaluation, std::size_t most);
 
+/// The same of frequency responses, by kResponseRule, which stands below: as many methods of each kind as
+/// `most` lines hold, at least two. Nothing for a run without responses.
+ScreenLines response_lines(const Evaluation& evaluation, std::size_t most);
+
 }  // namespace signorini

@@ -183,18 +183,19 @@ const draw = (figure, data) => {
   figure.dataset.drawn = width;
 };
 
-// Which configurations the figures below a legend show.
+// Which configurations the figures below a legend show, each with its name; of responses the name tells the law where
+// that is not the scene's.
 const configurationsBelow = (section, data) => {
-  const found = new Set();
+  const found = new Map();
   for (const { dataset: { kind, of } } of section.querySelectorAll(".chart")) {
     const scene = data.scenes?.[of];
     if (kind === "schematic") continue;
     const lists = kind === "response" ? [scene.response.methods]
       : kind === "profile" ? data.profiles[of].map((panel) => panel.curves)
       : [kind === "other" ? scene.work?.other : scene.work?.own, kind === "waveforms" ? scene.motion.answers : []];
-    for (const { c } of lists.flatMap((list) => list ?? [])) found.add(c);
+    for (const { c, label } of lists.flatMap((list) => list ?? [])) found.set(c, kind === "response" ? label : data.configurations[c]);
   }
-  return [...found].sort((a, b) => a - b);
+  return [...found].sort(([a], [b]) => a - b);
 };
 
 const showSwitches = () => {
@@ -231,8 +232,8 @@ const fillLegend = (legend, data) => {
   const all = Object.assign(document.createElement("button"), { type: "button", textContent: "all" });
   const none = Object.assign(document.createElement("button"), { type: "button", textContent: "none" });
   all.addEventListener("click", () => { switchedOff.clear(); showSwitches(); });
-  none.addEventListener("click", () => { for (const c of shown) switchedOff.add(c); showSwitches(); });
-  legend.append(...shown.map((c) => keyOf(c, data.configurations[c], data.steps?.[c])));
+  none.addEventListener("click", () => { for (const [c] of shown) switchedOff.add(c); showSwitches(); });
+  legend.append(...shown.map(([c, name]) => keyOf(c, name, data.steps?.[c] ?? undefined)));
   if (shown.length > 2) legend.append(all, none);
 };
 

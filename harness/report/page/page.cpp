@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/records/record_json.hpp"
+#include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/report/page/html.hpp"
 #include "harness/report/page/page_figures.hpp"
 #include "harness/report/page/page_parts.hpp"
 #include "harness/report/page/page_shell.hpp"
+#include "harness/report/page/response_parts.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {
@@ -28,6 +30,25 @@ Json profiles_of(const Evaluation& evaluation, std::span<const Section> sections
   return profiles;
 }
 
+/// The responses of a run: names after those of motions, records after theirs, figures.
+void add_responses(const Evaluation& evaluation, Json& data) {
+  const std::vector<Record>& records = evaluation.responses();
+  if (records.empty()) return;
+  for (std::size_t i = 0; i < evaluation.configurations().size(); ++i) data["steps"].push_back(nullptr);
+  for (const std::string& label : response_labels(records)) {
+    data["configurations"].push_back(label);
+    data["steps"].push_back(label.ends_with(" by steps"));
+  }
+  for (const Record& record : records) {
+    Json json = to_json(record);
+    json["response"].erase("branches");  // left to the figures
+    data["cases"].push_back(record.case_id);
+    data["records"].push_back(printed(json));
+  }
+  for (const std::string& scene : scenes_followed(evaluation))
+    data["scenes"][scene]["response"] = response_data(evaluation, scene);
+}
+
 /// Everything that the script needs: names, records, figures.
 Json data_of(const Evaluation& evaluation, std::span<const Section> sections) {
   Json data{{"configurations", evaluation.configurations()}, {"cases", Json::array()}};
@@ -42,6 +63,7 @@ Json data_of(const Evaluation& evaluation, std::span<const Section> sections) {
                              {"motion", motion_data(evaluation, scene)},
                              {"schematic", schematic_data(evaluation, scene)}};
   }
+  add_responses(evaluation, data);
   if (Json profiles = profiles_of(evaluation, sections); !profiles.is_null())
     data["profiles"] = std::move(profiles);
   return data;
@@ -76,16 +98,35 @@ std::string list_of(std::span<const PagePart> parts) {
   return text + "</ol></section>\n";
 }
 
+/// Which method for motions, if the run has any.
+std::string opening_of(const Evaluation& evaluation) {
+  return evaluation.results().empty() ? std::string() : verdict_of(evaluation) + side_by_side(evaluation);
+}
+
+/// The sections of responses whole. Names of methods lead to every case: without motions that is here.
+std::string text_of_responses(const Evaluation& evaluation, std::span<const Section> sections) {
+  std::string text;
+  for (const Section* section : of_kinds(sections, {SectionKind::responses})) {
+    Section shown = *section;
+    if (evaluation.results().empty() && shown.id == "response-cases") shown.id = "cases";
+    text += section_of(shown);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string html_page(const std::string& title, const Json& manifest, const Evaluation& evaluation,
                       std::span<const Section> sections, const std::string& links) {
   const Json data = data_of(evaluation, sections);
-  std::string text = verdict_of(evaluation) + side_by_side(evaluation) +
-                     text_of(of_kinds(sections, {SectionKind::overview})) + "<h2>Scene by scene</h2>\n";
+  std::string text = opening_of(evaluation) + text_of(of_kinds(sections, {SectionKind::overview})) +
+                     "<h2>Scene by scene</h2>\n";
   for (const std::string& scene : evaluation.scenes())
     text += scene_of(scene, evaluation, sections, data["scenes"][scene]);
-  text += text_of(of_kinds(sections, {SectionKind::scenes, SectionKind::cases, SectionKind::remarks}));
+  for (const std::string& scene : scenes_followed(evaluation))
+    text += response_of(scene, evaluation, sections, data["scenes"][scene]["response"]);
+  text += text_of(of_kinds(sections, {SectionKind::scenes, SectionKind::cases, SectionKind::remarks})) +
+          text_of_responses(evaluation, sections);
   return whole_page({.title = title,
                      .summary = html_escaped(counts_line(evaluation)) + links,
                      .contents = navigation(evaluation, sections),

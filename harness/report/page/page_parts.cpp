@@ -11,6 +11,7 @@
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/report/page/html.hpp"
 #include "harness/report/page/page_shell.hpp"
+#include "harness/report/page/response_parts.hpp"
 
 namespace signorini {
 
@@ -112,12 +113,20 @@ std::optional<std::size_t> group_of(const Section& section) {
 }
 
 std::string navigation(const Evaluation& evaluation, std::span<const Section> sections) {
-  std::string scenes;
+  std::string scenes, responses;
   for (const std::string& scene : evaluation.scenes()) scenes += item("scene-" + scene, scene);
+  for (const std::string& scene : scenes_followed(evaluation))
+    responses += item(response_anchor(evaluation, scene), scene);
+  const bool motions = !evaluation.results().empty();
+  const std::string whole_responses =
+      motions             ? section_items(of_kinds(sections, {SectionKind::responses}))
+      : responses.empty() ? ""
+                          : item("cases", "Each response") + item("open-ends", "The exact responses");
   return contents_of(
-      list_part("", item("verdict", "Which method?") + item("side-by-side", "Scenes side by side")) +
+      list_part(
+          "", motions ? item("verdict", "Which method?") + item("side-by-side", "Scenes side by side") : "") +
       list_part("Over all scenes", section_items(of_kinds(sections, {SectionKind::overview}))) +
-      list_part("Scenes", scenes) +
+      list_part("Scenes", scenes) + list_part("Responses", responses + whole_responses) +
       list_part("Run by run", section_items(of_kinds(sections, {SectionKind::scenes, SectionKind::cases,
                                                                 SectionKind::remarks}))) +
       list_part("", item("about", "How this run was made")));

@@ -12,12 +12,11 @@ const dialog = document.getElementById("record");
 // What a reader asks first of a record, in one line.
 const factsOf = (record) => [
   record.status,
-  record.certificate?.status,
+  record.response ? "" : record.certificate?.status,
   typeof record.errors?.x_l2 === "number" ? `error of x ${record.errors.x_l2.toExponential(1)}` : "",
   typeof record.seconds?.median === "number" ? timeText(record.seconds.median) : "",
-  typeof record.comparison?.["within_0.02"]?.covered === "number"
-    ? `${d3.format(".1%")(record.comparison["within_0.02"].covered)} of the exact response` : "",
-  typeof record.seconds === "number" ? timeText(record.seconds) : "",
+  typeof record.response?.comparison?.["within_0.02"]?.covered === "number"
+    ? `${d3.format(".1%")(record.response.comparison["within_0.02"].covered)} of the exact response` : "",
   record.message,
 ].filter(Boolean).join(" · ");
 

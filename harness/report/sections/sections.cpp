@@ -23,7 +23,9 @@ Sections sections_of(const Evaluation& evaluation) {
         ablation_sections,      breakdown_sections, sensitivity_sections, switch_sections,
         rival_sections,         repeat_sections,    hand_over_sections,   speed_sections,
         time_to_error_sections, mean_sections,      pairwise_sections,    work_sections,
-        scene_sections,         other_law_sections, case_sections,        remark_sections}) {
+        scene_sections,         other_law_sections, case_sections,        remark_sections,
+        response_sections}) {
+    if (evaluation.results().empty() && make != response_sections) continue;
     if (one_scene && std::ranges::find(kOverScenes, make) != kOverScenes.end()) continue;
     for (Section& section : make(evaluation)) {
       if (!section.table.rows.empty()) sections.push_back(std::move(section));

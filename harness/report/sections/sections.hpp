@@ -76,7 +76,11 @@ Sections scene_sections(const Evaluation& evaluation);
 /// The same of configurations that represent another law than the scene.
 Sections other_law_sections(const Evaluation& evaluation);
 
-/// One row per record.
+/// Which method for whole frequency responses, how much of them each one finds, over kinds of scenes and
+/// response by response, and where the exact ones are open. Empty for a run without responses.
+Sections response_sections(const Evaluation& evaluation);
+
+/// One row per record of a motion.
 Sections case_sections(const Evaluation& evaluation);
 
 /// Records that did not converge or are not certified, with the reason.

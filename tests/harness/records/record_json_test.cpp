@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "harness/files.hpp"
+#include "harness/records/record_check.hpp"
+#include "tests/harness/responses/sample_responses.hpp"
 #include "tests/harness/sample_records.hpp"
 #include "tests/support/data_folder.hpp"
 
@@ -70,6 +72,39 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
   EXPECT_EQ(keys(json["waveforms"]["answer"]), (Keys{"t", "x", "velocity", "force", "impulse"}));
   EXPECT_EQ(keys(json["waveforms"]["orbit"]), (Keys{"t", "x", "velocity", "force", "impulse"}));
   EXPECT_EQ(keys(json["trajectory"]["impulses"][0]), (Keys{"contact", "time", "value"}));
+}
+
+Record response_record() {
+  Record record = test::response_of("s", "m", 0.5, 1.0);
+  record.scene_sha256 = "h";
+  RecordedResponse& response = *record.response;
+  response.comparison->close.covered_stable = 0.75;
+  response.comparison->invented = {{SpecialKind::neimark_sacker, 1.75, 1}};
+  response.open_ends = {"the time is up"};
+  return record;
+}
+
+TEST(RecordJson, OfAResponseHasExactlyTheKeysOfTheContract) {
+  const Json response = to_json(response_record())["response"];
+  EXPECT_EQ(keys(response), (Keys{"way", "from", "to", "orders", "points", "comparison", "located",
+                                  "open_ends", "branches"}));
+  EXPECT_EQ(keys(response["comparison"]), (Keys{"within_0.02", "within_0.05", "exact_length", "length",
+                                                "right_length", "points", "invented"}));
+  EXPECT_EQ(keys(response["comparison"]["within_0.02"]), (Keys{"covered", "covered_stable", "false"}));
+  EXPECT_EQ(keys(response["branches"][0]), (Keys{"omega", "amplitude", "stable"}));
+  EXPECT_EQ(keys(response["located"][0]), (Keys{"kind", "omega", "order", "amplitude"}));
+}
+
+TEST(RecordJson, OfAResponseComesBackAsItWent) {
+  const Json json = to_json(response_record());
+  const Record back = checked_record(json);
+  EXPECT_EQ(to_json(back), json);
+  EXPECT_EQ(back.response->comparison->invented[0].kind, SpecialKind::neimark_sacker);
+  EXPECT_FALSE(back.response->comparison->invented[0].amplitude.has_value());
+  EXPECT_FALSE(record_from_json(to_json(test::full_record())).response.has_value());
+  Json wrong = json;
+  wrong["response"]["way"] = "by magic";
+  EXPECT_THROW(checked_record(wrong), BadRecord);
 }
 
 TEST(RecordJson, ComesBackAsItWent) {

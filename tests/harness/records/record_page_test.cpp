@@ -53,7 +53,7 @@ std::vector<std::pair<Names, std::string>> rows_of(const std::string& part) {
   std::istringstream lines(part);
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("| key |")) inside = true;
+    if (line.starts_with("| key |") || line.starts_with("| key of ")) inside = true;
     if (!line.starts_with("|")) inside = false;
     const Names keys = inside ? quoted_in(line.substr(0, line.find('|', 1))) : Names{};
     if (!keys.empty()) rows.emplace_back(keys, line);
@@ -105,6 +105,13 @@ TEST(RecordFields, OfGroupsAreNamedInTheRowOrPartOfTheGroup) {
   expect_quoted(Harmonic{}, motion);
   expect_quoted(ImpactSummary{}, motion);
   expect_quoted(PhaseSummary{}, motion);
+  const std::string responses = part_of_the_page("## Responses");
+  EXPECT_EQ(keys_of(responses), names_of(RecordedResponse{}));
+  expect_quoted(CurveComparison{}, row_of(responses, "comparison"));
+  expect_quoted(CurveShares{}, row_of(responses, "comparison"));
+  expect_quoted(PointMatch{}, row_of(responses, "comparison"));
+  expect_quoted(LocatedPoint{}, row_of(responses, "located"));
+  expect_quoted(DrawnBranch{}, row_of(responses, "branches"));
   expect_quoted(Waveforms{}, part_of_the_page("## Waveforms"));
   expect_quoted(Waveform{}, part_of_the_page("## Waveforms"));
 }

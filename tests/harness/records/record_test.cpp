@@ -59,5 +59,24 @@ TEST(AsRepresented, KeepsTheLawAndItsConstant) {
   EXPECT_TRUE(std::holds_alternative<Massless>(as_represented(Massless{})));
 }
 
+TEST(LawText, NamesEveryLaw) {
+  EXPECT_EQ(law_text(Restitution{0.8}), "e = 0.8");
+  EXPECT_EQ(law_text(Penalty{{1e6, 1e6}}), "k = 1e+06 N/m");
+  EXPECT_EQ(law_text(Penalty{{1.0, 2.0}}), "k = 1, 2 N/m");
+  EXPECT_EQ(law_text(Massless{}), "massless");
+  EXPECT_EQ(law_text(Undetermined{}), "undetermined");
+  EXPECT_EQ(law_text(std::monostate{}), "no contact");
+}
+
+TEST(LawRemark, NamesTheLawOfAMethodWhereTheSceneHasAnother) {
+  Record record;
+  EXPECT_EQ(law_remark(record), "") << "not known";
+  record.law = Restitution{1.0};
+  record.law_matches_scene = true;
+  EXPECT_EQ(law_remark(record), "");
+  record.law_matches_scene = false;
+  EXPECT_EQ(law_remark(record), "e = 1");
+}
+
 }  // namespace
 }  // namespace signorini::record_test

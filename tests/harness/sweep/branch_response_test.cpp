@@ -135,6 +135,24 @@ TEST(CommandSweep, FollowsTheCurveOfEachMethod) {
   }
 }
 
+TEST(CommandSweep, NamesTheLawOfAMethodWhereTheSceneHasAnother) {
+  const std::string range = " --from 2.3 --to 2.4 --points 2 --orders 1";
+  for (const auto& [command, words] :
+       {std::pair{"sweep sdof-stop-e08 --methods 'fourier-lipschitz' --set harmonics=5",
+                  "fourier-lipschitz[harmonics=5], e = 1: "},
+        std::pair{"sweep sdof-stop-e08 --format csv --methods fourier-lipschitz --set harmonics=5",
+                  "\"fourier-lipschitz[harmonics=5], e = 1\","},
+        std::pair{"sweep sdof-stop-e08 --format json --methods fourier-lipschitz --set harmonics=5",
+                  "\"other_law\":\"e = 1\""},
+        std::pair{"sweep sdof-stop-e08 --method fourier-lipschitz --set harmonics=5", "e = 1\n"}}) {
+    const test::Outcome outcome = test::run_program(command + range);
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << command << "\n" << outcome.out << outcome.err;
+  }
+  const test::Outcome same =
+      test::run_program("sweep sdof-stop --methods fourier-lipschitz --set harmonics=5" + range);
+  EXPECT_EQ(same.out.find("e = 1"), std::string::npos) << same.out;
+}
+
 TEST(CommandSweep, RefusesWhatItCannotFollowInOneLine) {
   for (const char* arguments :
        {"sweep sdof-stop --from 1 --to 2",

@@ -37,8 +37,8 @@ class ResponseFolders : public testing::Test {
  protected:
   void keep(const MethodResponse& response, const std::string& key, bool whole = true, bool resume = true) {
     ResponseFolder folder(path(), kQuestion, {"signorini"}, resume);
-    for (const Branch& branch : response.diagram.branches) folder.add(response.method, branch);
-    for (const SweepPoint& step : response.steps) folder.add(response.method, step);
+    for (const Branch& branch : response.diagram.branches) folder.add(response, branch);
+    for (const SweepPoint& step : response.steps) folder.add(response, step);
     if (whole) folder.finish(response, key);
   }
   [[nodiscard]] std::optional<MethodResponse> kept(const std::string& method, const std::string& key) const {

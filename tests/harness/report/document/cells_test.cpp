@@ -25,15 +25,6 @@ TEST(TimeText, ChoosesTheUnit) {
   EXPECT_EQ(time_text(12.34), "12.3 s");
 }
 
-TEST(LawText, NamesEveryLaw) {
-  EXPECT_EQ(law_text(Restitution{0.8}), "e = 0.8");
-  EXPECT_EQ(law_text(Penalty{{1e6, 1e6}}), "k = 1e+06 N/m");
-  EXPECT_EQ(law_text(Penalty{{1.0, 2.0}}), "k = 1, 2 N/m");
-  EXPECT_EQ(law_text(Massless{}), "massless");
-  EXPECT_EQ(law_text(Undetermined{}), "undetermined");
-  EXPECT_EQ(law_text(std::monostate{}), "no contact");
-}
-
 TEST(OrbitText, CutsALongReasonBetweenCharacters) {
   Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
   record.certificate = {.status = CertificateStatus::uncertified,

@@ -9,6 +9,7 @@
 
 #include "harness/records/record_json.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/harness/responses/sample_responses.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini::evaluation_test {
@@ -32,6 +33,21 @@ TEST(Evaluation, SortsRecordsBySceneMethodAndCaseInNaturalOrder) {
     EXPECT_EQ(evaluation.configurations(), (Names{"a", "b"}));
   } while (std::next_permutation(records.begin(), records.end(),
                                  [](const Record& a, const Record& b) { return a.case_id < b.case_id; }));
+}
+
+TEST(Evaluation, KeepsResponsesApartTheExactOneOfASceneFirst) {
+  Record steps = test::response_of("s9", "m", 0.5, 1.0);
+  steps.response->question.way = ResponseWay::steps;
+  steps.case_id = "s9/a by steps";
+  const Evaluation evaluation({test::response_of("s10", "m", 0.5, 1.0), steps,
+                               test::response_of("s9", "m", 0.5, 1.0),
+                               test::good_record("s9", "a", "n=1", 0.1, 1.0), test::exact_response("s9")});
+  Names ids;
+  for (const Record& record : evaluation.responses()) ids.push_back(record.case_id);
+  EXPECT_EQ(ids, (Names{"s9/exact response", "s9/m by arc length", "s9/a by steps", "s10/m by arc length"}));
+  EXPECT_EQ(evaluation.results().size(), 1U);
+  EXPECT_EQ(evaluation.scenes(), Names{"s9"});
+  EXPECT_EQ(evaluation.place_of_response(1), 2U);
 }
 
 TEST(Evaluation, RanksNoSceneWithoutContactAndNoneThatStatesThePreviousOnesProblem) {

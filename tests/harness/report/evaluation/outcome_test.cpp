@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/harness/responses/sample_responses.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini::outcome_test {
@@ -41,6 +42,18 @@ TEST(OutcomeCounts, HoldEveryCaseOnce) {
   EXPECT_EQ(counts.converged(), 2);
   EXPECT_EQ(counts.claims(), 3);
   EXPECT_EQ(counts.applicable(), 9);
+}
+
+TEST(OutcomeCounts, ClaimNothingOfAResponse) {
+  OutcomeCounts counts;
+  Record record = test::response_of("s", "m", 1.0, 1.0);
+  counts.add(outcome_of(record));
+  record.status = Status::crashed;
+  counts.add(outcome_of(record));
+  EXPECT_EQ(counts.cases, 2);
+  EXPECT_EQ(counts.followed, 1);
+  EXPECT_EQ(counts.failed, 1);
+  EXPECT_EQ(counts.claims(), 0);
 }
 
 TEST(IsSolved, AsksForACertificateUnderTheLawOfTheSceneOnAnyOrbit) {

@@ -1,4 +1,4 @@
-#include "harness/responses/response_standings.hpp"
+#include "harness/report/evaluation/response_standings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace signorini::response_standings_test {
 namespace {
 
 TEST(ResponseStandings, RecommendTheCheapestOfThoseThatFindNearlyAsMuchAndInventLittle) {
-  std::vector<ResponseRecord> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
   test::add_method(records, "exact-orbit", 1.0, 0.0, 9.0);
   test::add_method(records, "most", 0.92, 0.04, 8.0);
   test::add_method(records, "nearly", 0.88, 0.05, 4.0);
@@ -33,10 +33,10 @@ TEST(ResponseStandings, RecommendTheCheapestOfThoseThatFindNearlyAsMuchAndInvent
 }
 
 TEST(ResponseStandings, CountAResponseThatAMethodDoesNotApplyToAsNotFound) {
-  std::vector<ResponseRecord> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
   test::add_method(records, "half", 1.0, 0.0, 1.0);
   records.back().status = Status::not_applicable;
-  records.back().comparison.reset();
+  records.back().response->comparison.reset();
   test::add_method(records, "all", 0.7, 0.0, 9.0);
   const std::vector<ResponseStanding> standings = response_groups(records).at(0).standings;
   EXPECT_EQ(standings[0].label, "all");
@@ -47,37 +47,37 @@ TEST(ResponseStandings, CountAResponseThatAMethodDoesNotApplyToAsNotFound) {
 
 // Branches of restitution 1 cover part of those of restitution 0.8: right for no law of theirs.
 TEST(ResponseStandings, CountABranchOfAnotherLawNowhere) {
-  std::vector<ResponseRecord> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
   test::add_method(records, "m", 1.0, 0.0, 1.0);
   test::add_method(records, "n", 0.6, 0.0, 1.0);
-  for (ResponseRecord& record : records)
+  for (Record& record : records)
     if (record.method == "m" && record.scene == "b") record.law_matches_scene = false;
   const std::vector<ResponseStanding> standings = response_groups(records).at(0).standings;
   const ResponseStanding& mixed = *std::ranges::find(standings, "m", &ResponseStanding::label);
   EXPECT_DOUBLE_EQ(mixed.found, 0.5);
   EXPECT_EQ(mixed.asked, 1);
   EXPECT_EQ(mixed.points, 2);
-  for (ResponseRecord& record : records)
+  for (Record& record : records)
     if (record.method == "m") record.law_matches_scene = false;
   EXPECT_EQ(response_groups(records).at(0).standings.size(), 1U);
 }
 
 TEST(ResponseStandings, KeepKindsOfScenesApart) {
-  std::vector<ResponseRecord> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
   test::add_method(records, "m", 0.9, 0.0, 1.0);
-  for (ResponseRecord& record : records)
+  for (Record& record : records)
     if (record.scene == "b") record.contacts = kManyContacts;
   const std::vector<ResponseGroup> groups = response_groups(records);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].scenes, std::vector<std::string>{"a"});
   EXPECT_EQ(groups[1].kind, SceneKind::many_contacts);
-  for (ResponseRecord& record : records) record.scene_law.reset();
+  for (Record& record : records) record.scene_law.reset();
   EXPECT_EQ(group_title(response_groups(records).at(0)), "Scenes of unrecorded law, 2 responses");
 }
 
 TEST(ResponseStandings, LeaveOutScenesThatNothingWasComparedOn) {
-  ResponseRecord failed = test::response_of("a", "m", 0.0, 1.0);
-  failed.comparison.reset();
+  Record failed = test::response_of("a", "m", 0.0, 1.0);
+  failed.response->comparison.reset();
   EXPECT_TRUE(response_groups(std::vector{test::exact_response("a"), failed}).empty());
 }
 

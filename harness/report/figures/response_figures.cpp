@@ -1,19 +1,15 @@
-#include "harness/responses/response_report.hpp"
+// Amplitude over frequency: the exact response under those of the methods.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
-#include "harness/files.hpp"
+#include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/figures/canvas.hpp"
+#include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
-#include "harness/report/formats/formats.hpp"
-#include "harness/responses/response_page.hpp"
-#include "harness/responses/response_sections.hpp"
-#include "harness/run_folder/manifest_check.hpp"
-#include "harness/run_folder/run_folder.hpp"
 
 namespace signorini {
 
@@ -67,23 +63,25 @@ unset key
 )";
 
 /// The method's own branches, or the points of its steps, over the exact ones.
-std::string panel(const ResponseRecord& record, std::optional<int> stable, std::optional<int> unstable,
+std::string panel(const Record& record, std::optional<int> stable, std::optional<int> unstable,
                   Canvas& canvas) {
   canvas.plot(stable, "with lines lc rgb '#bbbbbb' lw 4");
   canvas.plot(unstable, "with lines lc rgb '#bbbbbb' lw 2 dt (8,6)");
-  canvas.draw(lines_of(record.branches), record.by_steps ? "with points lc rgb '#D55E00' pt 6 ps 0.3"
-                                                         : "with lines lc rgb '#0072B2' lw 1");
-  return fmt::format("set title {} noenhanced\n{}", gnuplot_string(label_of(record)), canvas.panel());
+  const bool by_steps = record.response->question.way == ResponseWay::steps;
+  canvas.draw(lines_of(record.response->branches),
+              by_steps ? "with points lc rgb '#D55E00' pt 6 ps 0.3" : "with lines lc rgb '#0072B2' lw 1");
+  return fmt::format("set title {} noenhanced\n{}", gnuplot_string(label_with_law(record)), canvas.panel());
 }
 
-Figure response_figure(const ResponseRecord& exact, std::span<const ResponseRecord> records, Column column) {
+Figure response_figure(const Record& exact, std::span<const Record> records, Column column) {
+  const ResponseQuestion& asked = exact.response->question;
   Canvas canvas;
-  const auto stable = canvas.add(lines_of(exact.branches, true));
-  const auto unstable = canvas.add(lines_of(exact.branches, false));
+  const auto stable = canvas.add(lines_of(exact.response->branches, true));
+  const auto unstable = canvas.add(lines_of(exact.response->branches, false));
   std::string panels;
   int count = 0;
-  for (const ResponseRecord& record : records) {
-    if (is_exact(record) || record.scene != exact.scene || record.branches.empty()) continue;
+  for (const Record& record : records) {
+    if (is_exact(record) || record.scene != exact.scene || record.response->branches.empty()) continue;
     panels += panel(record, stable, unstable, canvas);
     if (count++ == 0) panels += "unset label 1\n";  // once is enough
   }
@@ -99,8 +97,8 @@ Figure response_figure(const ResponseRecord& exact, std::span<const ResponseReco
           .caption = "Amplitude over the frequency of the load, " + exact.scene +
                      ": exact branches grey, unstable parts dashed; curves by arc length blue, steps orange",
           .script = fmt::format(kResponsePanels, rows, columns, narrow ? 0.14 : 0.07, bottom, top, between,
-                                line_end, line_end, caption, std::min(exact.from, exact.to),
-                                std::max(exact.from, exact.to)) +
+                                line_end, line_end, caption, std::min(asked.from, asked.to),
+                                std::max(asked.from, asked.to)) +
                     panels + "unset multiplot\n",
           .data = canvas.data(),
           .width = width_in(column, kUsualWidth),
@@ -109,47 +107,17 @@ Figure response_figure(const ResponseRecord& exact, std::span<const ResponseReco
 
 }  // namespace
 
-std::vector<Figure> response_figures(std::span<const ResponseRecord> records, Column column) {
+std::vector<Figure> response_figures(const Evaluation& evaluation, Column column) {
+  const std::vector<Record>& records = evaluation.responses();
   std::vector<Figure> figures;
-  for (const ResponseRecord& record : records) {
-    const bool followed = std::ranges::any_of(records, [&](const ResponseRecord& other) {
-      return !is_exact(other) && other.scene == record.scene && !other.branches.empty();
+  for (const Record& exact : records) {
+    const bool followed = std::ranges::any_of(records, [&](const Record& other) {
+      return !is_exact(other) && other.scene == exact.scene && !other.response->branches.empty();
     });
-    if (is_exact(record) && !record.branches.empty() && followed)
-      figures.push_back(response_figure(record, records, column));
+    if (is_exact(exact) && !exact.response->branches.empty() && followed)
+      figures.push_back(response_figure(exact, records, column));
   }
   return figures;
-}
-
-std::vector<std::filesystem::path> write_response_report(const std::filesystem::path& folder,
-                                                         std::span<const ResponseRecord> records,
-                                                         const std::vector<std::string>& formats,
-                                                         Column column) {
-  const auto wants = [&](const char* format) { return std::ranges::count(formats, format) > 0; };
-  std::vector<std::filesystem::path> files;
-  const auto write = [&](const char* name, const std::string& text) {
-    write_whole(folder / name, text);
-    files.push_back(folder / name);
-  };
-  if (wants("md")) write("table.md", markdown_report(response_sections(records)));
-  if (wants("html")) {
-    const std::filesystem::path manifest = folder / "manifest.json";
-    write("report.html", response_page(run_name(folder),
-                                       std::filesystem::exists(manifest) ? read_manifest(manifest)
-                                                                         : nlohmann::ordered_json(),
-                                       records));
-  }
-  if (wants("tex")) {
-    const std::vector<Figure> figures = response_figures(records, column);
-    draw_figures(folder / "figures", figures);
-    for (const Figure& figure : figures) files.push_back(folder / "figures" / (figure.name + ".svg"));
-  }
-  return files;
-}
-
-void write_response_tables_into(const std::filesystem::path& document, const std::filesystem::path& folder,
-                                std::span<const ResponseRecord> records) {
-  write_whole(document, with_tables(read_file(document), run_name(folder), response_sections(records)));
 }
 
 }  // namespace signorini

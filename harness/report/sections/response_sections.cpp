@@ -1,4 +1,4 @@
-#include "harness/responses/response_sections.hpp"
+// How much of the exact frequency responses each method finds.
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <map>
 #include <optional>
 
+#include "harness/records/response_fields.hpp"
 #include "harness/report/document/cells.hpp"
-#include "harness/report/document/lines.hpp"
-#include "harness/report/formats/screen_groups.hpp"
-#include "harness/sweep/branch_response.hpp"
+#include "harness/report/evaluation/response_standings.hpp"
+#include "harness/report/sections/sections.hpp"
 #include "harness/text/words.hpp"
 
 namespace signorini {
@@ -28,8 +28,6 @@ Cell seconds_cell(std::optional<double> seconds) {
 Cell error_cell(std::optional<double> error) {
   return error ? Cell(fmt::format("{:.1e}", *error), *error) : Cell("-");
 }
-
-constexpr const char* kNothingCompared = "No method was compared with an exact response.";
 
 /// The names and figures of a standing, or dashes.
 void add_standing(std::vector<Cell>& row, const ResponseStanding* standing) {
@@ -55,19 +53,18 @@ const ResponseStanding* other_of(const ResponseGroup& group) {
 }
 
 Section verdict_section(std::span<const ResponseGroup> groups) {
-  Section section{.id = "verdict",
-                  .title = "Which method for whole frequency responses",
-                  .text = std::string(kResponseRule) +
-                          " The exact responses are made by exact-orbit with shorter steps; the best of the "
-                          "other methods stands beside it.",
-                  .note =
-                      "`found` is the share of the exact branches' length within 2 % of the method's, "
-                      "`false` the share of the method's own that is farther than 5 % from every exact one; "
-                      "time is that of the processor per unit of right length."};
+  Section section{
+      .id = "response-verdict",
+      .title = "Which method for whole frequency responses",
+      .text = std::string(kResponseRule) +
+              " The best of the methods that the exact responses are not made by stands beside it.",
+      .note =
+          "`found` is the share of the exact branches' length within 2 % of the method's, "
+          "`false` the share of the method's own that is farther than 5 % from every exact one; "
+          "time is that of the processor per unit of right length."};
   section.table.header = {"responses",    "method",          "found",
                           "false",        "time per length", "best other",
                           "other, found", "other, false",    "other, time per length"};
-  if (groups.empty()) section.text = kNothingCompared;
   for (const ResponseGroup& group : groups) {
     std::vector<Cell>& row = section.table.rows.emplace_back();
     row.emplace_back(group_title(group));
@@ -100,41 +97,37 @@ Section overview_section(std::span<const ResponseGroup> groups) {
   return section;
 }
 
-/// The law that a method represents where it is not the scene's.
-Cell other_law_cell(const ResponseRecord& record) {
-  return of_another_law(record) && record.law ? law_text(*record.law) : std::string();
-}
-
 Cell leading_to(Cell cell, std::size_t place) {
   cell.record = place;
   return cell;
 }
 
-/// \param place  of the record among all, where its cells lead
-std::vector<Cell> case_row(const ResponseRecord& record, std::size_t place) {
-  if (!record.comparison) {
+/// \param place  of the record in the report, where its cells lead
+std::vector<Cell> case_row(const Record& record, std::size_t place) {
+  const RecordedResponse& response = *record.response;
+  if (!response.comparison) {
     const Cell status = leading_to(std::string(status_name(record.status)), place);
-    return {record.scene, label_of(record), other_law_cell(record), status, "-", "-", "-", "-", "-", "-",
+    return {record.scene, response_label(record), law_remark(record), status, "-", "-", "-", "-", "-", "-",
             "-",          record.message};
   }
-  const CurveComparison& c = *record.comparison;
+  const CurveComparison& c = *response.comparison;
   return {record.scene,
-          label_of(record),
-          other_law_cell(record),
-          count_cell(record.points),
+          response_label(record),
+          law_remark(record),
+          count_cell(response.points),
           leading_to(percent_cell(c.close.covered), place),
           percent_cell(c.close.covered_stable),
           percent_cell(c.wide.covered),
           percent_cell(c.wide.false_share),
           count_cell(located_points(c), std::ssize(c.points)),
           error_cell(largest_error(c)),
-          seconds_cell(record.seconds),
-          joined(record.open_ends, "; ")};
+          seconds_cell(record.seconds ? std::optional(record.seconds->median) : std::nullopt),
+          joined(response.open_ends, "; ")};
 }
 
-Section case_section(std::span<const ResponseRecord> records) {
+Section case_section(const Evaluation& evaluation) {
   Section section{.id = "response-cases",
-                  .kind = SectionKind::scenes,
+                  .kind = SectionKind::responses,
                   .title = "Each response",
                   .text =
                       "`found` within 2 %, of the stable part alone, and within 5 %; `false` beyond 5 %. "
@@ -142,34 +135,46 @@ Section case_section(std::span<const ResponseRecord> records) {
                       "count in no sum."};
   section.table.header = {"scene",        "method", "other law", "points",        "found", "found, stable",
                           "found in 5 %", "false",  "located",   "largest error", "time",  "left open"};
-  for (std::size_t place = 0; place < records.size(); ++place)
-    if (!is_exact(records[place])) section.table.rows.push_back(case_row(records[place], place));
+  const std::span<const Record> records = evaluation.responses();
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (!is_exact(records[i]))
+      section.table.rows.push_back(case_row(records[i], evaluation.place_of_response(i)));
   return section;
 }
 
-Section located_section(std::span<const ResponseRecord> records) {
+/// How far off a method located a point, with the law where it represents another one than the scene's.
+Cell located_cell(const Record& record, std::size_t point) {
+  const std::vector<PointMatch>& points = record.response->comparison->points;
+  const std::optional<double> error = point < points.size() ? error_of(points[point]) : std::nullopt;
+  const std::string remark = law_remark(record);
+  Cell cell = error_cell(error);
+  if (error && !remark.empty()) cell.text += fmt::format(" ({})", remark);
+  return cell;
+}
+
+Section located_section(const Evaluation& evaluation) {
   Section section{.id = "located",
-                  .kind = SectionKind::scenes,
+                  .kind = SectionKind::responses,
                   .title = "Folds, doublings and beginnings of contact",
                   .text =
                       "Where they are on the exact branches, and the relative error of the frequency at "
-                      "which a method located each; `-` where it did not."};
-  const std::vector<std::string> methods = labels_of(records);
+                      "which a method located each, with the law in parentheses where it represents another "
+                      "one; `-` where it did not."};
+  const std::vector<std::string> methods = response_labels(evaluation.responses());
   section.table.header = {"scene", "point", "order", "omega [rad/s]"};
   section.table.header.insert(section.table.header.end(), methods.begin(), methods.end());
-  std::map<std::string, std::map<std::string, const ResponseRecord*>> by_scene;
-  for (const ResponseRecord& record : records)
-    if (record.comparison) by_scene[record.scene][label_of(record)] = &record;
+  std::map<std::string, std::map<std::string, const Record*>> by_scene;
+  for (const Record& record : evaluation.responses())
+    if (record.response->comparison) by_scene[record.scene][response_label(record)] = &record;
   for (const auto& [scene, of_methods] : by_scene) {
-    const CurveComparison& first = *of_methods.begin()->second->comparison;
+    const CurveComparison& first = *of_methods.begin()->second->response->comparison;
     for (std::size_t i = 0; i < first.points.size(); ++i) {
       const LocatedPoint& exact = first.points[i].exact;
-      std::vector<Cell> row{scene, describe(exact.kind), count_cell(exact.order),
+      std::vector<Cell> row{scene, std::string(enum_name(exact.kind)), count_cell(exact.order),
                             Cell(fmt::format("{:.10g}", exact.frequency), exact.frequency)};
       for (const std::string& method : methods) {
         const auto found = of_methods.find(method);
-        const bool has = found != of_methods.end() && i < found->second->comparison->points.size();
-        row.push_back(has ? error_cell(error_of(found->second->comparison->points[i])) : Cell("-"));
+        row.push_back(found == of_methods.end() ? Cell("-") : located_cell(*found->second, i));
       }
       section.table.rows.push_back(std::move(row));
     }
@@ -177,64 +182,37 @@ Section located_section(std::span<const ResponseRecord> records) {
   return section;
 }
 
-Section open_section(std::span<const ResponseRecord> records) {
+Section open_section(const Evaluation& evaluation) {
   Section section{
       .id = "open-ends",
-      .kind = SectionKind::scenes,
+      .kind = SectionKind::responses,
       .title = "The exact responses, and where they are not known to be whole",
       .text =
           "A method is measured against what is known, up to the orders looked for: branches that "
           "hang together with the answers at both ends of the interval, and orbits found in steps "
           "on none of them."};
   section.table.header = {"scene", "from", "to", "orders", "branches", "points", "left open"};
-  for (const ResponseRecord& record : records) {
+  for (const Record& record : evaluation.responses()) {
     if (!is_exact(record)) continue;
-    std::vector<std::string> open = record.open_ends;
+    const RecordedResponse& response = *record.response;
+    std::vector<std::string> open = response.open_ends;
     if (!record.message.empty()) open.push_back(record.message);
-    section.table.rows.push_back({record.scene, fmt::format("{:.6g}", record.from),
-                                  fmt::format("{:.6g}", record.to), count_cell(record.orders),
-                                  count_cell(static_cast<std::ptrdiff_t>(record.branches.size())),
-                                  count_cell(record.points), open.empty() ? "nothing" : joined(open, "; ")});
+    section.table.rows.push_back({record.scene, fmt::format("{:.6g}", response.question.from),
+                                  fmt::format("{:.6g}", response.question.to),
+                                  count_cell(response.question.orders),
+                                  count_cell(std::ssize(response.branches)), count_cell(response.points),
+                                  open.empty() ? "nothing" : joined(open, "; ")});
   }
   return section;
 }
 
 }  // namespace
 
-std::string response_screen(std::span<const ResponseRecord> records) {
-  constexpr std::size_t kName = 42;
-  constexpr std::size_t kRows = 28;  // of titles and methods together
-  const std::vector<ResponseGroup> groups = response_groups(records);
-  if (groups.empty()) return std::string(kNothingCompared) + "\n";
-  const std::size_t most = std::max<std::size_t>(3, kRows / groups.size()) - 1;
-  std::string text;
-  const auto add = [&](std::string words) {
-    for (const std::string& line : wrapped_lines(words, kScreenWidth)) text += line + "\n";
-  };
-  add("Which method? Share of the exact branches found, of its own false, special points located, "
-      "processor time per length:");
-  text += fmt::format("{:<44}{:>8}{:>8}{:>9}{:>10}\n", "", "found", "false", "located", "time");
-  for (const ResponseGroup& group : groups) {
-    text += group_title(group) + "\n";
-    for (const ResponseStanding& one :
-         std::span(group.standings).first(std::min(most, group.standings.size()))) {
-      text += fmt::format("{} {:<{}}", one.recommended || one.recommended_otherwise ? "*" : " ",
-                          clipped(one.label, kName), kName);
-      text +=
-          fmt::format("{:>6.1f} %{:>6.1f} %{:>9}{:>10}\n", 100.0 * one.found, 100.0 * one.false_share,
-                      fmt::format("{}/{}", one.located, one.points), one.cost ? time_text(*one.cost) : "-");
-    }
-  }
-  text += "\n";
-  add(std::string(kResponseRule) +
-      " The exact responses are made by exact-orbit with shorter steps: the best other has a star too.");
-  return text;
-}
-
-std::vector<Section> response_sections(std::span<const ResponseRecord> records) {
-  const std::vector<ResponseGroup> groups = response_groups(records);
-  return {verdict_section(groups), overview_section(groups), case_section(records), located_section(records),
-          open_section(records)};
+Sections response_sections(const Evaluation& evaluation) {
+  if (evaluation.responses().empty()) return {};
+  const std::vector<ResponseGroup> groups = response_groups(evaluation.responses());
+  return {verdict_section(groups), overview_section(groups), case_section(evaluation),
+          located_section(evaluation), open_section(evaluation)};
 }
 
 }  // namespace signorini

@@ -1,11 +1,11 @@
-#include "harness/responses/response_sections.hpp"
+// The sections of frequency responses.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
+#include "harness/report/sections/sections.hpp"
 #include "tests/harness/responses/sample_responses.hpp"
 
 namespace signorini::response_sections_test {
@@ -16,9 +16,9 @@ const Section& section(const std::vector<Section>& sections, const std::string& 
 }
 
 TEST(ResponseSections, SumByLengthAndNotByResponse) {
-  const std::vector<ResponseRecord> records{test::exact_response("a"), test::response_of("a", "m", 1.0, 1.0),
-                                            test::exact_response("b"), test::response_of("b", "m", 0.5, 3.0)};
-  const std::vector<Section> sections = response_sections(records);
+  const std::vector<Record> records{test::exact_response("a"), test::response_of("a", "m", 1.0, 1.0),
+                                    test::exact_response("b"), test::response_of("b", "m", 0.5, 3.0)};
+  const std::vector<Section> sections = response_sections(Evaluation(records));
   const std::vector<Cell>& row = section(sections, "responses").table.rows.at(0);
   EXPECT_EQ(row[0].text, "Rigid stop (e = 1)");
   EXPECT_EQ(row[1].text, "m");
@@ -31,22 +31,22 @@ TEST(ResponseSections, SumByLengthAndNotByResponse) {
 }
 
 TEST(ResponseSections, NameTheLawOfAMethodThatRepresentsAnother) {
-  ResponseRecord other = test::response_of("a", "m", 0.1, 1.0);
-  other.scene_law = Restitution{0.5};
-  other.law_matches_scene = false;
-  const std::vector<Section> sections = response_sections(std::vector{test::exact_response("a"), other});
+  const Record other = test::of_another_law(test::response_of("a", "m", 0.1, 1.0));
+  const std::vector<Section> sections =
+      response_sections(Evaluation(std::vector{test::exact_response("a"), other}));
   EXPECT_EQ(section(sections, "response-cases").table.rows.at(0)[2].text, "e = 1");
+  EXPECT_EQ(section(sections, "located").table.rows.at(0)[4].text, "2.0e-01 (e = 1)");
   EXPECT_TRUE(section(sections, "responses").table.rows.empty());
-  EXPECT_EQ(section(sections, "verdict").table.rows.at(0)[1].text, "-");
+  EXPECT_EQ(section(sections, "response-verdict").table.rows.at(0)[1].text, "-");
 }
 
 TEST(ResponseSections, RecommendForEachKindOfScenes) {
-  std::vector<ResponseRecord> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
   test::add_method(records, "exact-orbit", 1.0, 0.0, 9.0);
   test::add_method(records, "m", 0.9, 0.0, 3.0);
-  for (ResponseRecord& record : records)
+  for (Record& record : records)
     if (record.scene == "b") record.scene_law = Penalty{{10.0}};
-  const Section verdict = section(response_sections(records), "verdict");
+  const Section verdict = section(response_sections(Evaluation(records)), "response-verdict");
   ASSERT_EQ(verdict.table.rows.size(), 2U);
   EXPECT_EQ(verdict.table.rows[0][0].text, "Rigid stop (e = 1), 1 response");
   EXPECT_EQ(verdict.table.rows[1][0].text, "Spring, 1 response");
@@ -56,8 +56,8 @@ TEST(ResponseSections, RecommendForEachKindOfScenes) {
 }
 
 TEST(ResponseSections, GiveEachLocatedPointWithItsErrorOrADash) {
-  const std::vector<ResponseRecord> records{test::exact_response("a"), test::response_of("a", "m", 1.0, 1.0)};
-  const std::vector<Section> sections = response_sections(records);
+  const std::vector<Record> records{test::exact_response("a"), test::response_of("a", "m", 1.0, 1.0)};
+  const std::vector<Section> sections = response_sections(Evaluation(records));
   const Table& table = section(sections, "located").table;
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0][1].text, "fold");
@@ -66,43 +66,25 @@ TEST(ResponseSections, GiveEachLocatedPointWithItsErrorOrADash) {
 }
 
 TEST(ResponseSections, SayWhereAMethodDoesNotApplyOrTheTruthIsOpen) {
-  ResponseRecord other = test::response_of("a", "n", 0.0, 1.0);
+  Record other = test::response_of("a", "n", 0.0, 1.0);
   other.status = Status::not_applicable;
   other.message = "no such law";
-  other.comparison.reset();
-  ResponseRecord exact = test::exact_response("a");
-  exact.open_ends = {"limit of 60 branches"};
-  const std::vector<ResponseRecord> records{exact, other};
-  const std::vector<Section> sections = response_sections(records);
+  other.response->comparison.reset();
+  Record exact = test::exact_response("a");
+  exact.response->open_ends = {"limit of 60 branches"};
+  const std::vector<Record> records{exact, other};
+  const std::vector<Section> sections = response_sections(Evaluation(records));
   EXPECT_EQ(section(sections, "response-cases").table.rows.at(0).back().text, "no such law");
   EXPECT_TRUE(section(sections, "responses").table.rows.empty());
   EXPECT_EQ(section(sections, "open-ends").table.rows.at(0).back().text, "limit of 60 branches");
-  for (const Section& one : response_sections({})) EXPECT_TRUE(one.table.rows.empty()) << one.id;
-}
-
-TEST(ResponseScreen, HasALinePerMethodWithin80Columns) {
-  std::vector<ResponseRecord> records{test::exact_response("a"), test::exact_response("b")};
-  test::add_method(records, "exact-orbit[samples=64]", 1.0, 0.0, 9.0);
-  test::add_method(records, "a-method-of-a-long-name[with=many,settings=indeed]", 0.5, 0.0, 8.0);
-  std::istringstream screen(response_screen(records));
-  int starred = 0, lines = 0;
-  for (std::string line; std::getline(screen, line); ++lines) {
-    EXPECT_LE(line.size(), 80U) << line;
-    if (line.starts_with("* ")) ++starred;
-  }
-  EXPECT_EQ(starred, 2);
-  EXPECT_LT(lines, 20);
-  EXPECT_NE(
-      screen.str().find("\nRigid stop (e = 1), 2 responses\n"
-                        "* exact-orbit[samples=64]                    100.0 %   0.0 %      2/4       6 s\n"),
-      std::string::npos)
-      << screen.str();
+  EXPECT_TRUE(response_sections(Evaluation(std::vector<Record>())).empty());
 }
 
 TEST(ResponseSections, RecommendNothingWhereNoMethodQualifies) {
-  std::vector<ResponseRecord> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
   test::add_method(records, "inventive", 1.0, 0.5, 0.1);
-  const std::vector<Cell> row = section(response_sections(records), "verdict").table.rows.at(0);
+  const std::vector<Cell> row =
+      section(response_sections(Evaluation(records)), "response-verdict").table.rows.at(0);
   for (std::size_t i = 1; i < row.size(); ++i) EXPECT_EQ(row[i].text, "-") << i;
 }
 

@@ -1,0 +1,269 @@
+#include "harness/responses/response_task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <optional>
+#include <utility>
+
+#include "harness/build_info.hpp"
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "harness/plan/deadline.hpp"
+#include "harness/records/record_check.hpp"
+#include "harness/records/record_json.hpp"
+#include "harness/responses/curve_comparison.hpp"
+#include "harness/run/case_task.hpp"
+#include "harness/sweep/branch_response.hpp"
+#include "harness/text/json.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Frequencies of a sweep by steps, one way.
+constexpr int kSteps = 61;
+/// What one solve of a sweep may take of the time limit.
+constexpr double kShareOfSolve = 0.1;
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+SweepRange range_of(const ResponseQuestion& question) {
+  return {.from = question.from, .to = question.to, .points = kSteps, .back = true};
+}
+
+double window_of(const ResponseQuestion& question) { return std::abs(question.to - question.from); }
+
+/// What the processes of one case know.
+struct Asked {
+  const Scene& scene;
+  const Case& planned_case;
+  const Limits& limits;
+  ResponseQuestion question = {};
+
+  [[nodiscard]] ParametrisedScene varied() const {
+    return over_frequency(scene.problem, question.from, question.to);
+  }
+  [[nodiscard]] BranchDiagram branches(double timeout, int phases, double step_share = 1.0) const {
+    return branches_of(varied(), planned_case.choice,
+                       {.max_order = question.orders,
+                        .step_share = step_share,
+                        .phases = phases,
+                        .deadline = deadline_after(timeout)})
+        .value();
+  }
+  [[nodiscard]] std::vector<SweepPoint> steps(double timeout) const {
+    return frequency_response(scene, planned_case.choice, range_of(question),
+                              {.timeout = kShareOfSolve * timeout,
+                               .memory_mb = limits.memory_mb,
+                               .deadline = deadline_after(timeout)});
+  }
+};
+
+void refuse(const std::string& reason, Record& record) {
+  record.status = Status::not_applicable;
+  record.message = as_message(reason);
+}
+
+std::string digest_of_branches(const std::vector<DrawnBranch>& branches) {
+  constexpr std::size_t kDigits = 16;
+  std::string text;
+  for (const DrawnBranch& branch : branches) text += json_line(write_fields(branch)) + "\n";
+  return sha256(text).substr(0, kDigits);
+}
+
+/// Branches, points and open ends of a response; converged where there is a point.
+void take_curve(const ResponseCurve& curve, Record& record) {
+  RecordedResponse& response = record.response.value();
+  response.points = 0;  // of a first, shorter look
+  response.open_ends.clear();
+  for (const ResponseBranch& branch : curve.branches)
+    response.points += static_cast<int>(branch.points.size());
+  record.status = response.points > 0 ? Status::converged : Status::not_converged;
+  for (const std::string& end : curve.open_ends) response.open_ends.push_back(as_message(end));
+  response.located = curve.located;
+  response.branches = drawn(curve);
+}
+
+class ExactTask final : public CaseTask {
+ public:
+  ExactTask(Asked asked, ExactResponse& exact) : asked_(asked), exact_(exact) {}
+
+  [[nodiscard]] double seconds() const override {
+    return 2.0 * enforced(asked_.limits.reference_timeout) + kQuickSeconds;
+  }
+
+  void run(Record record, const std::function<void(const Record&)>& stage_done) const override {
+    try {
+      constexpr double kFineStep = 1.0 / 3.0;  // of the usual
+      ResponseCurve curve =
+          curve_of(asked_.branches(asked_.limits.reference_timeout, kComparedPhases, kFineStep));
+      add_orbits_beside(curve);
+      take_curve(curve, record);
+      record.response->branches = drawn_with_motions(curve);
+    } catch (const std::runtime_error& error) {  // the scene cannot be followed
+      refuse(error.what(), record);
+    }
+    record.not_timed = "it is what others are measured against";
+    stage_done(record);
+  }
+
+  [[nodiscard]] RepeatedSolve repeat() const override { return {}; }
+  void release(Record& record) const override { exact_.take(record); }
+
+ private:
+  /// Orbits of steps of the frequency on none of the branches: those of isolated ones, and beyond ends at
+  /// which a branch could not be followed.
+  void add_orbits_beside(ResponseCurve& curve) const {
+    const ResponseCurve steps = curve_of(asked_.steps(asked_.limits.reference_timeout));
+    const double window = window_of(asked_.question);
+    const double amplitude = std::max(amplitude_of(curve), amplitude_of(steps));
+    if (!(amplitude > 0.0)) return;
+    const std::vector<ResponseBranch> beside =
+        beside_branches(curve, steps, ResponseMetric(window, amplitude), window);
+    std::size_t orbits = 0;
+    for (const ResponseBranch& branch : beside) orbits += branch.points.size();
+    if (orbits > 0)
+      curve.open_ends.push_back(fmt::format("{} orbits in steps of the frequency lie on no branch", orbits));
+    curve.branches.insert(curve.branches.end(), beside.begin(), beside.end());
+  }
+
+  Asked asked_;
+  ExactResponse& exact_;
+};
+
+/// A response and the processor time that it took: once for the time alone, of steps the sum over the solves.
+struct TimedCurve {
+  double seconds = 0.0;
+  ResponseCurve curve = {};  ///< without motions, but of steps
+};
+
+/// A method's own branches along themselves, or its answers at one frequency after the other.
+class ResponseTask final : public CaseTask {
+ public:
+  ResponseTask(Asked asked, const ExactResponse& exact) : asked_(asked), exact_(exact) {}
+
+  [[nodiscard]] double seconds() const override {  // the last solve or step may begin just before the end
+    constexpr double kLastStep = 0.2;              // of the time limit
+    const double limit = enforced((1.0 + kLastStep) * asked_.limits.timeout);
+    return by_steps() ? limit + kQuickSeconds : limit;
+  }
+
+  void run(Record record, const std::function<void(const Record&)>& stage_done) const override {
+    TimedCurve first;
+    try {
+      first = follow();
+    } catch (const UsageError& error) {  // the method does not apply to all of the interval
+      refuse(error.what(), record);
+      return stage_done(record);
+    }
+    take_curve(first.curve, record);
+    record.processor.solve = first.seconds;
+    stage_done(record);
+    take_times(first.seconds, record);
+    stage_done(record);
+    take_answer(with_motions(std::move(first)), record);
+    stage_done(record);
+  }
+
+  [[nodiscard]] RepeatedSolve repeat() const override {
+    TimedCurve again = follow();
+    const double round = round_from(again.seconds);
+    return {.times = TimedRound{.solve = round},
+            .answer = digest_of_branches(drawn(with_motions(std::move(again))))};
+  }
+
+  void release(Record& /*record*/) const override {}
+
+ private:
+  [[nodiscard]] bool by_steps() const { return asked_.question.way == ResponseWay::steps; }
+
+  /// \throws UsageError where the method does not apply
+  [[nodiscard]] TimedCurve follow() const {
+    if (by_steps()) return stepped();
+    const double begin = processor_seconds();
+    const BranchDiagram diagram = asked_.branches(asked_.limits.timeout, 0);
+    return {.seconds = processor_seconds() - begin, .curve = curve_of(diagram)};
+  }
+
+  [[nodiscard]] TimedCurve stepped() const {
+    const std::vector<SweepPoint> points = asked_.steps(asked_.limits.timeout);
+    TimedCurve all{.curve = curve_of(points)};
+    std::size_t failed = 0;
+    for (const SweepPoint& point : points) {
+      if (point.status == Status::not_applicable) throw UsageError(point.message);
+      if (point.status != Status::converged) ++failed;
+      all.seconds += point.seconds.value_or(0.0);
+    }
+    if (failed > 0)
+      all.curve.open_ends.push_back(fmt::format("{} of {} solves failed", failed, points.size()));
+    if (points.size() < 2 * sweep_frequencies(range_of(asked_.question)).size())
+      all.curve.open_ends.emplace_back("the time is up");
+    return all;
+  }
+
+  /// Of a curve by arc length, followed once more for them.
+  [[nodiscard]] ResponseCurve with_motions(TimedCurve first) const {
+    if (by_steps()) return std::move(first.curve);
+    return curve_of(asked_.branches(asked_.limits.timeout, kComparedPhases));
+  }
+
+  /// The time of a round whose first curve took `first`: a short one is followed again and again, for the
+  /// system may count processor time in milliseconds [s].
+  [[nodiscard]] double round_from(double first) const {
+    constexpr double kRound = 0.3;  // s
+    double seconds = first;
+    int count = 1;
+    for (; seconds < kRound && !by_steps(); ++count) seconds += follow().seconds;
+    return seconds / count;
+  }
+
+  /// The first round of timing, or why there is none.
+  void take_times(double first, Record& record) const {
+    const std::string& untimed = asked_.planned_case.choice.entry->untimed;
+    if (!untimed.empty()) {
+      record.not_timed = untimed;
+    } else if (!build_may_be_timed()) {
+      record.not_timed = "not a Release build";
+    } else if (record.status == Status::converged) {
+      record.seconds = summarise({{.solve = round_from(first)}});
+    }
+  }
+
+  /// What the response is worth against the exact one.
+  void take_answer(const ResponseCurve& curve, Record& record) const {
+    take_curve(curve, record);
+    record.answer = digest_of_branches(record.response->branches);
+    const double window = window_of(asked_.question), amplitude = amplitude_of(exact_.curve());
+    if (amplitude > 0.0)
+      record.response->comparison =
+          compare_curves(exact_.curve(), curve, ResponseMetric(window, amplitude), window);
+    else
+      record.message = "nothing to compare with: the exact response has no branch, or the scene no contact";
+  }
+
+  Asked asked_;
+  const ExactResponse& exact_;
+};
+
+}  // namespace
+
+void give_tasks(const Scene& scene, const Limits& limits, ExactResponse& exact, std::vector<Job>& jobs) {
+  for (Job& job : jobs) {
+    const std::optional<ResponseQuestion>& question = job.planned_case->response;
+    if (!question) continue;
+    const Asked asked{
+        .scene = scene, .planned_case = *job.planned_case, .limits = limits, .question = *question};
+    if (question->way == ResponseWay::exact) {
+      // Whether it can be followed is its own answer.
+      job.method = {.applies = true, .law = as_represented(scene.problem.law)};
+      job.task = std::make_shared<ExactTask>(asked, exact);
+    } else {
+      job.task = std::make_shared<ResponseTask>(asked, exact);
+    }
+  }
+}
+
+}  // namespace signorini

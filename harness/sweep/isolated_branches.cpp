@@ -1,0 +1,111 @@
+#include "harness/sweep/isolated_branches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "harness/failure.hpp"
+#include "harness/isolation/isolation.hpp"
+#include "harness/plan/deadline.hpp"
+#include "harness/records/record_check.hpp"
+#include "harness/run/applicability.hpp"
+#include "harness/sweep/branch_json.hpp"
+#include "harness/text/json.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// In the child: a line for each branch, then one with what else there is of the diagram, or with why the
+/// method cannot be asked.
+void send_branches(const ParametrisedScene& scene, const MethodChoice& method, CurveLimits limits,
+                   const std::function<std::vector<KnownMotion>()>& beginnings, const LineSender& send) {
+  std::size_t sent = 0;
+  limits.take = [&](const Branch& branch) {
+    send(json_line(to_json(branch, "")));
+    ++sent;
+  };
+  try {
+    if (beginnings) limits.begin_at = beginnings();
+    const BranchDiagram diagram = branches_of(scene, method, limits).value();
+    while (sent < diagram.branches.size()) limits.take(diagram.branches[sent]);  // of a method that does not
+    send(json_line(Json{{"unfinished", diagram.unfinished}, {"notes", diagram.notes}}));
+  } catch (const UsageError& error) {
+    send(json_line(Json{{"refused", error.what()}}));
+  }
+}
+
+/// In the parent: what has arrived.
+class Received {
+ public:
+  explicit Received(const TakeBranch& take) : take_(take) {}
+
+  void line(const std::string& text) {
+    const Json json = parse_json(text);
+    if (json.contains("points")) {
+      diagram_.branches.push_back(branch_from_json(json));
+      if (take_) take_(diagram_.branches.back());
+    } else if (json.contains("refused")) {
+      refused_ = json.at("refused").get<std::string>();
+    } else {
+      json.at("unfinished").get_to(diagram_.unfinished);
+      json.at("notes").get_to(diagram_.notes);
+    }
+  }
+
+  /// \throws UsageError
+  IsolatedBranches all(const std::string& method, const ChildEnd& end) {
+    if (!refused_.empty()) throw UsageError(refused_);
+    IsolatedBranches result{.diagram = std::move(diagram_)};
+    if (end.kind == ChildEnd::Kind::finished || end.kind == ChildEnd::Kind::interrupted) return result;
+    result.failure = as_message(fmt::format("{}: {}", method, describe(end)));
+    result.diagram.unfinished = result.failure;
+    return result;
+  }
+
+ private:
+  const TakeBranch& take_;
+  BranchDiagram diagram_;
+  std::string refused_;
+};
+
+}  // namespace
+
+std::optional<IsolatedBranches> isolated_branches(
+    const ParametrisedScene& scene, const MethodChoice& method, const CurveLimits& limits,
+    const std::function<std::vector<KnownMotion>()>& beginnings) {
+  if (!has_curve(method)) return std::nullopt;
+  constexpr double kForever = 1e8;  // [s]: clocks count that far
+  const std::chrono::duration<double> left = limits.deadline - std::chrono::steady_clock::now();
+  Received received(limits.take);
+  ChildEnd last;
+  run_isolated_together(
+      {[&](const LineSender& send) { send_branches(scene, method, limits, beginnings, send); }},
+      {.stage_seconds = {enforced(std::clamp(left.count(), 0.0, kForever)) + kQuickSeconds},
+       .memory_mb = Limits{}.memory_mb},
+      1, [&](std::size_t, const ChildEnd& end) { last = end; },
+      [&](std::size_t, const std::string& line) { received.line(line); });
+  return received.all(method.label(), last);
+}
+
+std::string law_remark_of(const Scene& scene, const MethodChoice& method) {
+  const Case asked{.choice = method};
+  const Case* const list = &asked;
+  Record record;
+  record.scene_law = as_represented(scene.problem.law);
+  for (const Applicability& answer : ask_applicability(scene, std::span(&list, 1), Limits{}.memory_mb)) {
+    record.law = answer.law;
+    if (record.law) record.law_matches_scene = law_matches(*record.law, scene.problem.law);
+  }
+  return law_remark(record);
+}
+
+}  // namespace signorini

@@ -1,0 +1,82 @@
+#include "harness/sweep/isolated_branches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "harness/failure.hpp"
+#include "harness/sweep/branch_json.hpp"
+#include "methods/curve.hpp"
+#include "problems/scene/scene_file.hpp"
+#include "tests/harness/fake_method.hpp"
+
+namespace signorini::isolated_branches_test {
+namespace {
+
+/// A method that hands over one branch, then ends its process.
+class LateFailure final : public Method, public CurveMethod {
+ public:
+  [[nodiscard]] std::vector<OptionEcho> options() const override { return {}; }
+  [[nodiscard]] Support supports(const Problem& /*problem*/) const override { return {.ok = true}; }
+  [[nodiscard]] RepresentedLaw law(const Problem& /*problem*/) const override { return Restitution{1.0}; }
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& /*problem*/) const override {
+    throw std::runtime_error("no single solves");
+  }
+  [[nodiscard]] const CurveMethod* curve() const override { return this; }
+  [[nodiscard]] Support follows(const ParametrisedScene& /*scene*/) const override { return {.ok = true}; }
+  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
+                                     const CurveLimits& limits) const override {
+    Branch branch{.began = "here", .ended = "there"};
+    for (const double frequency : {scene.from, scene.to})
+      branch.points.push_back({.parameter = frequency, .frequency = frequency, .amplitude = {1.0}});
+    limits.take(branch);
+    std::raise(SIGSEGV);
+    return {};
+  }
+};
+
+ParametrisedScene scene_of(double e = 1.0) { return over_frequency(test::one_mass(0.2, e), 2.3, 2.6); }
+
+TEST(IsolatedBranches, AreThoseOfTheMethod) {
+  const MethodChoice choice{&find_method("fourier-lipschitz"), {{"harmonics", "5"}}};
+  std::size_t taken = 0;
+  CurveLimits limits{.max_order = 1};
+  limits.take = [&](const Branch&) { ++taken; };
+  const IsolatedBranches found = isolated_branches(scene_of(), choice, limits).value();
+  const BranchDiagram own = branches_of(scene_of(), choice, {.max_order = 1}).value();
+  EXPECT_EQ(found.failure, "");
+  ASSERT_EQ(found.diagram.branches.size(), own.branches.size());
+  EXPECT_EQ(taken, own.branches.size());
+  for (std::size_t i = 0; i < own.branches.size(); ++i)
+    EXPECT_EQ(to_json(found.diagram.branches[i], "m").dump(), to_json(own.branches[i], "m").dump());
+  EXPECT_EQ(found.diagram.notes, own.notes);
+}
+
+TEST(IsolatedBranches, OfAMethodThatCrashesAreThoseThatHadArrived) {
+  MethodEntry entry;
+  entry.name = "late-failure";
+  entry.make = [](std::span<const OptionSetting>) { return std::make_unique<LateFailure>(); };
+  const IsolatedBranches found = isolated_branches(scene_of(), {&entry}, {}).value();
+  EXPECT_EQ(found.diagram.branches.size(), 1U);
+  EXPECT_TRUE(found.failure.starts_with("late-failure: signal 11")) << found.failure;
+  EXPECT_EQ(found.diagram.unfinished, found.failure);
+}
+
+TEST(IsolatedBranches, AreNoneWithoutACurveAndRefusedWhereTheMethodDoesNotApply) {
+  EXPECT_FALSE(isolated_branches(scene_of(), {&find_method("event-driven")}, {}).has_value());
+  const MethodChoice refuses{&find_method("exact-orbit")};
+  EXPECT_THROW(
+      static_cast<void>(isolated_branches(
+          over_frequency(read_scene(find_scene("sdof-contact-free")).problem, 2.3, 2.6), refuses, {})),
+      UsageError);
+}
+
+TEST(LawRemarkOf, NamesALawThatIsNotTheScenes) {
+  const MethodChoice series{&find_method("fourier-lipschitz")};
+  EXPECT_EQ(law_remark_of(test::one_mass_scene(0.2, 0.8), series), "e = 1");
+  EXPECT_EQ(law_remark_of(test::one_mass_scene(0.2, 1.0), series), "");
+}
+
+}  // namespace
+}  // namespace signorini::isolated_branches_test
