@@ -6,16 +6,24 @@
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace signorini {
 
 namespace {
 
+constexpr double kAgreed = 0.05;
+
+/// Instants that tell an answer as its own representation does.
+int instants_of(const Trajectory& motion, int resolution) {
+  return motion.nodes().value_or(2 * motion.bandwidth().value_or(resolution) + 1);
+}
+
 class RefinedUntilAgreed final : public PreparedMethod {
  public:
-  RefinedUntilAgreed(Resolutions resolutions, WorthChecking worth_checking, double least)
-      : resolutions_(std::move(resolutions)), worth_checking_(std::move(worth_checking)), least_(least) {
+  RefinedUntilAgreed(Resolutions resolutions, RefinementRule rule)
+      : resolutions_(std::move(resolutions)), rule_(std::move(rule)) {
     resolutions_.at(0);
   }
 
@@ -24,29 +32,25 @@ class RefinedUntilAgreed final : public PreparedMethod {
     Work spent;
     std::optional<Solution> answer;
     Solution latest;
-    double away = 0.0;
-    bool cut_short = false;
-    for (std::size_t k = 0; k < resolutions_.count(); ++k) {
-      cut_short = k > 0 && start.expired();
-      if (cut_short) break;
+    Check check;
+    for (std::size_t k = 0; k < resolutions_.count() && !check.agreed() && !check.ended; ++k) {
+      check.cut_short = k > 0 && start.expired();
+      if (check.cut_short) break;
       latest = k == 0 ? resolutions_.at(0).solve(start) : resolutions_.solve_at(k, start);
       add_effort(latest.work, spent);
-      latest.message += fmt::format("; N = {}", resolutions_.value(k));
+      latest.message += fmt::format("; {} = {}", rule_.resolution, resolutions_.value(k));
+      check.ended = rule_.worth_refining && !rule_.worth_refining(latest);
       if (latest.verdict != Verdict::converged) continue;
       const std::optional<Solution> before = std::exchange(answer, latest);
-      if (before) {
-        away = relative_distance(*before->trajectory, *latest.trajectory, resolutions_.value(k), least_);
-        if (away <= kAgreed) break;
-      }
-      if (!worth_checking_(latest)) break;
+      check.taken = check.ended;
+      if (!before) continue;
+      const Trajectory& motion = *latest.trajectory;
+      check.away = relative_distance(*before->trajectory, motion, instants_of(motion, resolutions_.value(k)),
+                                     rule_.least);
     }
+    const bool doubtful = answer || check.cut_short;
     Solution solution = answer ? *std::move(answer) : std::move(latest);
-    if (!near_by(away) || cut_short) {
-      solution.verdict = Verdict::not_converged;
-      solution.message += cut_short
-                              ? std::string("; the time was up before a finer one could be asked")
-                              : fmt::format("; the motion at the resolution before is {:.2g} away", away);
-    }
+    if (doubtful) judge(check, solution);
     solution.work.pivots = spent.pivots;
     solution.work.iterations = spent.iterations;
     solution.work.factorisations = spent.factorisations;
@@ -54,11 +58,35 @@ class RefinedUntilAgreed final : public PreparedMethod {
   }
 
  private:
-  static constexpr double kAgreed = 0.05;
+  /// What is known of the answer.
+  struct Check {
+    std::optional<double> away = {};  // from the one before
+    bool cut_short = false;           // a finer one could not be asked
+    bool ended = false;               // a finer one is not worth its cost
+    bool taken = false;               // neither is one for the answer, as it is
+    [[nodiscard]] bool agreed() const { return away && *away <= kAgreed; }
+  };
+
+  /// Takes back the claim of an answer of which too little is known.
+  void judge(const Check& check, Solution& solution) const {
+    std::string doubt;
+    if (check.cut_short)
+      doubt = "the time was up before a finer one could be asked";
+    else if (check.away && !near_by(*check.away))
+      doubt = fmt::format("the motion at the resolution before is {:.2g} away", *check.away);
+    else if (!rule_.only_confirmed || check.taken || check.agreed())
+      return;
+    else if (check.away)
+      doubt = fmt::format("the motion at the resolution before is {:.2g} away, {} is asked for", *check.away,
+                          kAgreed);
+    else
+      doubt = "no other resolution confirms it";
+    solution.verdict = Verdict::not_converged;
+    solution.message += "; " + doubt;
+  }
 
   Resolutions resolutions_;
-  WorthChecking worth_checking_;
-  double least_;
+  RefinementRule rule_;
 };
 
 }  // namespace
@@ -89,9 +117,8 @@ void Resolutions::forget_from(std::size_t k) {
   for (; k < prepared_.size(); ++k) prepared_[k].reset();
 }
 
-std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, WorthChecking worth_checking,
-                                                     double least) {
-  return std::make_unique<RefinedUntilAgreed>(std::move(resolutions), std::move(worth_checking), least);
+std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, RefinementRule rule) {
+  return std::make_unique<RefinedUntilAgreed>(std::move(resolutions), std::move(rule));
 }
 
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least) {
@@ -104,6 +131,17 @@ double relative_distance(const Trajectory& a, const Trajectory& b, int instants,
   const auto size = [](const Eigen::MatrixXd& x) { return (x.rowwise() - x.colwise().mean()).norm(); };
   return difference / std::max({size(x_a), size(x_b), least * std::sqrt(static_cast<double>(instants)),
                                 kRoundOff * std::max(x_a.norm(), x_b.norm())});
+}
+
+double static_deflection(const Problem& problem) {
+  double load = 0.0;
+  for (const ForceTerm& term : problem.force) load += std::abs(force_amplitude(term, problem.frequency));
+  return load / contact_stiffness_scale(problem).minCoeff();
+}
+
+double size_at_rest(const Problem& problem) {
+  constexpr double kAtRest = 1e-6;
+  return kAtRest * static_deflection(problem);
 }
 
 bool near_by(double distance) { return distance <= kNearOrbit; }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "methods/method.hpp"
@@ -40,17 +41,25 @@ class Resolutions {
   std::vector<std::unique_ptr<PreparedMethod>> prepared_;
 };
 
-/// Whether an answer is worth the next resolution.
-using WorthChecking = std::function<bool(const Solution&)>;
+/// What is asked of answers at several resolutions, and which of them are claimed.
+struct RefinementRule {
+  std::string resolution = "N";  ///< its name in messages, "N = 1024"
+  /// Whether the end of a solve is worth the next resolution; empty: always. An answer that is not is taken
+  /// as it is.
+  std::function<bool(const Solution&)> worth_refining = {};
+  /// Only an answer that another resolution confirms is claimed; else the finest one is, unless it is nowhere
+  /// near the one before (`near_by`).
+  bool only_confirmed = false;
+  double least = 0.0;  ///< motions smaller than this are at rest [m]
+};
 
 /// Solves at one resolution after another until two that converge agree: their motions are within 5 % of
-/// their size of each other. Where none do, the finest answer is claimed unless it is nowhere near the one
-/// before (`near_by`); an answer that is not worth the next resolution is taken as it is; one that could not
-/// be checked because the time was up is not claimed. The answer is the finest found. The first resolution is
-/// prepared at once, the others anew in every solve, whose part they are; the work is that of all. The
-/// message names the resolution of the answer, "N = 1024". Motions smaller than `least` [m] are at rest.
-std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, WorthChecking worth_checking,
-                                                     double least);
+/// their size of each other (relative_distance). Where errors fall in proportion to the step and resolutions
+/// double, that is the error of the finer one. The answer is the finest found; one that could not be checked
+/// because the time was up is not claimed. The first resolution is prepared at once, the others anew in every
+/// solve, whose part they are; the work is that of all. The message names the resolution of the answer, and
+/// what was not reached where it is not claimed.
+std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, RefinementRule rule);
 
 /// A motion farther from another than this, relative root mean square of x over the period, is not an
 /// approximation of it: the judge certifies no answer by an orbit so far away, and a method claims no motion
@@ -63,6 +72,12 @@ inline constexpr double kOwnMotion = 0.1;
 /// |x_a - x_b| over the largest of the sizes of x_a and x_b about their means and `least` [m], root mean
 /// squares at so many instants [-].
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least = 0.0);
+
+/// Deflection of the softest contact under the load at its largest, held still [m].
+double static_deflection(const Problem& problem);
+
+/// What is rounding in motions of a scene with contacts: 1e-6 of the static deflection [m].
+double size_at_rest(const Problem& problem);
 
 /// Whether motions at this relative distance may be the same one, found with different errors: coarse answers
 /// may be off by 0.3 and are near the same orbit all the same.

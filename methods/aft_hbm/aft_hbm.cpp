@@ -49,7 +49,10 @@ std::unique_ptr<PreparedMethod> AftHbm::prepare(const Problem& problem) const {
 
 BranchDiagram AftHbm::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
   const Problem problem = scene.at(scene.from);
-  return series_diagram(scene, series_method(*this, options_.common, law_at(problem)), limits);
+  Options one_number = options_;
+  one_number.common.harmonics = options_.common.first_harmonics(problem);
+  const AftHbm method(one_number);
+  return series_diagram(scene, series_method(method, one_number.common, law_at(problem)), limits);
 }
 
 }  // namespace signorini

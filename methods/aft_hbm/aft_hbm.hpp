@@ -83,7 +83,7 @@ class AftHbm final : public Method, public CurveMethod {
   [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
     return follows_frequency(*this, scene);
   }
-  /// Of the equations above (series_diagram).
+  /// Of the equations above, with the harmonics asked for or the first number (series_diagram).
   [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
                                      const CurveLimits& limits) const override;
 

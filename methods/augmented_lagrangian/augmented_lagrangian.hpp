@@ -39,8 +39,7 @@ class AugmentedLagrangian final : public Method {
     static constexpr auto kFormer = kOptionsOfClosure;
 
     void visit(auto&& field) {
-      field("harmonics", harmonics, "[-]",
-            "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
+      field("harmonics", harmonics, "[-]", kHarmonicsText);
       field("penalty", penalty, "[N/m]",
             "rho, 1e6 or 100x the contact's stiffness; auto: 32x the dynamic one near H, a spring's own");
       field("max_updates", max_updates, "[-]", "limit on updates of the multiplier, 1..100000");

@@ -46,8 +46,7 @@ class ClosedHbm final : public Method {
     int max_iterations = 0;  ///< pivots and Newton steps in all; 0: the solver's own limit [-]
 
     void visit(auto&& field) {
-      field("harmonics", harmonics, "[-]",
-            "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
+      field("harmonics", harmonics, "[-]", kHarmonicsText);
       field("c", c, "[-]",
             "constant c > 0 times the contact's stiffness; auto: 32x the dynamic one near H at impacts, else "
             "4x, in series with a spring of the scene");

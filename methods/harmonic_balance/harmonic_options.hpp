@@ -34,8 +34,14 @@ struct EnumNames<Continuation> {
 
 /// H where it is left to the method and nothing asks for more.
 inline constexpr int kDefaultHarmonics = 20;
-/// Harmonics beyond which none are tried unasked.
-inline constexpr int kMostHarmonics = 160;
+/// Harmonics beyond which none are tried unasked: where errors fall like 1/H, a series that is off by its own
+/// size at 20 of them is off by a thirtieth.
+inline constexpr int kMostHarmonics = 640;
+
+/// What `harmonics` means in all of them.
+inline constexpr std::string_view kHarmonicsText =
+    "highest harmonic H kept, 1..100000; auto: 20 or what the load needs, and twice as many, up to 640, "
+    "until two agree; the first number if plain, or with a solver, a grid or a limit";
 
 /// Options that methods of harmonic balance no longer have, and what is said to who sets them.
 inline constexpr std::array<std::array<std::string_view, 2>, 2> kOptionsOfClosure{
@@ -55,8 +61,7 @@ struct HarmonicOptions {
 
   /// Visits all options in the order in which users see them; `law` and `solver` visit the method's own.
   void visit(auto&& field, auto&& law, auto&& solver) {
-    field("harmonics", harmonics, "[-]",
-          "highest harmonic H kept, 1..100000; auto: 20, where that fails twice as many, up to 160");
+    field("harmonics", harmonics, "[-]", kHarmonicsText);
     field("samples", samples, "[-]",
           "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
     law();
@@ -82,7 +87,7 @@ struct HarmonicOptions {
   /// The penalty: the one asked for; else, for a rigid stop, the literature's if `plain`; else empty.
   [[nodiscard]] std::optional<Scaled> penalty(const std::optional<Scaled>& asked,
                                               const Problem& problem) const;
-  /// H to begin with: the one asked for; else 20, doubled until the load's harmonics are kept, at most 160.
+  /// H to begin with: the one asked for; else 20, doubled until the load's harmonics are kept, at most 640.
   [[nodiscard]] int first_harmonics(const Problem& problem) const;
   /// Whether nothing that depends on the grid or on the number of steps is fixed by the user.
   [[nodiscard]] bool grid_is_open(int harmonics) const;

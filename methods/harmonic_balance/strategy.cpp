@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -166,70 +166,66 @@ Solution own_solver(const HarmonicSetup& setup, const Start& start, Work& work) 
   return solve_on_grids(setup, start, work);
 }
 
+/// A scene with one number of harmonics, which notes whether more of them may help.
+class WithHarmonics final : public PreparedMethod {
+ public:
+  WithHarmonics(std::unique_ptr<HarmonicSolver> solver, bool& more_may_help)
+      : solver_(std::move(solver)), more_may_help_(more_may_help) {}
+
+  Solution solve(const Start& start) override {
+    HarmonicSolve solve = solver_->solve(start);
+    more_may_help_ = solve.harmonics_may_help;
+    return std::move(solve.solution);
+  }
+
+ private:
+  std::unique_ptr<HarmonicSolver> solver_;
+  bool& more_may_help_;
+};
+
 class HarmonicBalance final : public PreparedMethod {
  public:
   /// A stop that stands twice makes the equations of its forces singular, and no impact on it could be
   /// closed: the scene is solved with each stop once.
   HarmonicBalance(const Problem& problem, const HarmonicOptions& options, const HarmonicMethodFor& method_for,
-                  MakeHarmonicSolver make_solver)
-      : stops_(distinct_stops(problem)),
-        problem_(stops_ ? stops_->problem : problem),
-        options_(options),
-        method_(method_for(problem_)),
-        make_solver_(std::move(make_solver)),
-        first_(options.first_harmonics(problem)),
-        solver_(solver(first_)) {}
+                  const MakeHarmonicSolver& make_solver)
+      : stops_(distinct_stops(problem)), problem_(stops_ ? stops_->problem : problem) {
+    const HarmonicMethod method = method_for(problem_);
+    const AtResolution with_harmonics = [this, options, method, make_solver](int harmonics) {
+      return std::make_unique<WithHarmonics>(
+          make_solver(harmonic_setup(problem_, harmonics, options, method)), more_may_help_);
+    };
+    const int first = options.first_harmonics(problem);
+    const bool left_open = !options.harmonics && !options.plain && method.solver_is_open &&
+                           options.grid_is_open(first) && problem_.contact_count() > 0;
+    solver_ = left_open ? refined(first, with_harmonics) : with_harmonics(first);
+  }
 
   Solution solve(const Start& start) override {
-    if (!stops_) return solve_distinct(start);
+    if (!stops_) return solver_->solve(start);
     Start reduced = start;
     if (start.guess) reduced.guess = on_distinct_stops(start.guess, *stops_);
-    Solution solution = solve_distinct(reduced);
+    Solution solution = solver_->solve(reduced);
     if (solution.trajectory) solution.trajectory = on_all_contacts(solution.trajectory, *stops_);
     return solution;
   }
 
  private:
-  /// With the first number of harmonics, and with twice as many where so many do not converge and more may.
-  Solution solve_distinct(const Start& start) {
-    HarmonicSolve solve = solver_->solve(start);
-    for (int harmonics = 2 * first_; harmonics <= most(); harmonics *= 2) {
-      if (solve.solution.verdict == Verdict::converged || !solve.harmonics_may_help || start.expired()) break;
-      const Work spent = solve.solution.work;
-      solve = prepare_and_solve(harmonics, start);
-      add_effort(spent, solve.solution.work);
-      solve.solution.message += fmt::format("; H = {}", harmonics);
-    }
-    return std::move(solve.solution);
-  }
-
-  [[nodiscard]] std::unique_ptr<HarmonicSolver> solver(int harmonics) const {
-    return make_solver_(harmonic_setup(problem_, harmonics, options_, method_));
-  }
-
-  /// Where more harmonics cannot be prepared, an undamped resonance lying among them or memory being short,
-  /// there is no motion.
-  [[nodiscard]] HarmonicSolve prepare_and_solve(int harmonics, const Start& start) const {
-    try {
-      return solver(harmonics)->solve(start);
-    } catch (const std::exception& error) {
-      return {{.message = error.what()}};
-    }
-  }
-
-  /// The largest number of harmonics to be tried.
-  [[nodiscard]] int most() const {
-    const bool left_open = !options_.harmonics && !options_.plain && solver_->setup().way_is_open();
-    return left_open ? kMostHarmonics : first_;
+  /// With more and more harmonics until two answers agree. One more doubling than the load needs is allowed,
+  /// for one answer alone says nothing of its error.
+  [[nodiscard]] std::unique_ptr<PreparedMethod> refined(int first, const AtResolution& with_harmonics) const {
+    return refined_until_agreed(
+        {rising_resolutions(first, 2, std::max(kMostHarmonics, 2 * first)), with_harmonics},
+        {.resolution = "H",
+         .worth_refining = [this](const Solution&) { return more_may_help_; },
+         .only_confirmed = true,
+         .least = size_at_rest(problem_)});
   }
 
   std::optional<DistinctStops> stops_;  ///< where some stop stands twice
   const Problem& problem_;              ///< with each stop once
-  HarmonicOptions options_;
-  HarmonicMethod method_;
-  MakeHarmonicSolver make_solver_;
-  int first_;
-  std::unique_ptr<HarmonicSolver> solver_;  ///< with the first number of harmonics
+  bool more_may_help_ = true;           ///< harmonics than the last solve had
+  std::unique_ptr<PreparedMethod> solver_;
 };
 
 }  // namespace
@@ -269,8 +265,8 @@ std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
                                                          const HarmonicOptions& options,
                                                          const HarmonicMethodFor& method_for,
-                                                         MakeHarmonicSolver make_solver) {
-  return std::make_unique<HarmonicBalance>(problem, options, method_for, std::move(make_solver));
+                                                         const MakeHarmonicSolver& make_solver) {
+  return std::make_unique<HarmonicBalance>(problem, options, method_for, make_solver);
 }
 
 }  // namespace signorini

@@ -12,7 +12,7 @@ namespace signorini {
 
 /// A solve with some number of harmonics.
 struct HarmonicSolve {
-  Solution solution = {};           ///< the answer, or the best iterate
+  Solution solution = {};          ///< the answer, or the best iterate
   bool harmonics_may_help = true;  ///< more of them, where this did not converge
 };
 
@@ -48,9 +48,9 @@ class HarmonicSolver {
 using MakeHarmonicSolver = std::function<std::unique_ptr<HarmonicSolver>(HarmonicSetup setup)>;
 
 /// A scene prepared for a method of harmonic balance, with the harmonics that the options ask for. Where
-/// these and all that depends on them are left to the method, harmonics are doubled, up to 160, until a solve
-/// converges or more of them cannot help; the first number is prepared at once, the others anew in every
-/// solve, whose part they are.
+/// these and all that depends on them are left to the method, harmonics are doubled, up to 640, until two
+/// answers agree within 5 % (refined_until_agreed): one that no other number of harmonics confirms is not
+/// claimed. The answer with H harmonics is that of `harmonics` = H.
 ///
 /// Every answer that is claimed solves the projected equations of the method to its tolerance; the message
 /// says how it was found. `problem` must outlive the result.
@@ -64,6 +64,6 @@ std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
                                                          const HarmonicOptions& options,
                                                          const HarmonicMethodFor& method_for,
-                                                         MakeHarmonicSolver make_solver);
+                                                         const MakeHarmonicSolver& make_solver);
 
 }  // namespace signorini

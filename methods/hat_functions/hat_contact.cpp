@@ -183,6 +183,7 @@ class PreparedHat final : public PreparedMethod {
 /// Whether the next grid is worth its cost. A pivot costs the square of the nodes in contact, and the next
 /// grid has four times as many of both. Long contacts are expensive and rarely disputed.
 bool cheap_on_the_next_grid(const Solution& solution) {
+  if (solution.verdict != Verdict::converged) return true;
   constexpr double kGrowth = 64.0;
   constexpr double kOperations = 1e9;  // about a second
   const Eigen::MatrixXd force = solution.trajectory->sample(solution.trajectory->nodes().value()).force;
@@ -205,16 +206,7 @@ std::unique_ptr<PreparedMethod> prepared_grid(const Problem& problem, const HatS
   return std::make_unique<PreparedHat>(problem, settings, restitution);
 }
 
-/// A motion smaller than this part of the static deflection is rounding [-].
-constexpr double kAtRest = 1e-6;
-
 }  // namespace
-
-double static_deflection(const Problem& problem) {
-  double load = 0.0;
-  for (const ForceTerm& term : problem.force) load += std::abs(force_amplitude(term, problem.frequency));
-  return load / contact_stiffness_scale(problem).minCoeff();
-}
 
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
   return reduced_grid_receptance(problem, scheme, samples).value;
@@ -266,8 +258,8 @@ Resolutions hat_grids(const Problem& problem, const HatSettings& settings,
 
 std::unique_ptr<PreparedMethod> refined_hat_contact(const Problem& problem, const HatSettings& settings,
                                                     std::optional<double> restitution) {
-  return refined_until_agreed(hat_grids(problem, settings, restitution), cheap_on_the_next_grid,
-                              kAtRest * static_deflection(problem));
+  return refined_until_agreed(hat_grids(problem, settings, restitution),
+                              {.worth_refining = cheap_on_the_next_grid, .least = size_at_rest(problem)});
 }
 
 }  // namespace signorini

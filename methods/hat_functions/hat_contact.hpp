@@ -75,9 +75,6 @@ inline constexpr int kFinestHatGrid = 4096;
 /// as far as the finest grid has them.
 int coarsest_hat_grid(const Problem& problem);
 
-/// Deflection of the softest contact under the load at its largest, held still [m].
-double static_deflection(const Problem& problem);
-
 /// The scene on the coarsest grid and on four times as many nodes, up to the finest.
 /// \param settings  of all grids but for the nodes
 /// \param restitution  as of hat_contact; `problem` must outlive the grids

@@ -46,8 +46,7 @@ Resolutions three(const Answers& answers, std::vector<int>& asked) {
           }};
 }
 
-bool always(const Solution& /*unused*/) { return true; }
-bool never(const Solution& /*unused*/) { return false; }
+bool never(const Solution& solution) { return solution.verdict != Verdict::converged; }
 
 double amplitude(const Solution& solution) { return solution.trajectory->sample(1).x(0, 0); }
 
@@ -60,7 +59,7 @@ TEST(Resolutions, RiseUpToTheFinest) {
 TEST(RefinedUntilAgreed, TakesTheFinerOfTwoThatAgree) {
   std::vector<int> asked;
   const Solution solution =
-      refined_until_agreed(three({{10, 1.0}, {20, 1.04}, {40, 1.05}}, asked), always, 0.0)->solve({});
+      refined_until_agreed(three({{10, 1.0}, {20, 1.04}, {40, 1.05}}, asked), {})->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_EQ(amplitude(solution), 1.04);
   EXPECT_EQ(asked, (std::vector<int>{10, 20}));
@@ -70,7 +69,7 @@ TEST(RefinedUntilAgreed, TakesTheFinerOfTwoThatAgree) {
 TEST(RefinedUntilAgreed, AsksAThirdWhereTwoDisagree) {
   std::vector<int> asked;
   const Solution solution =
-      refined_until_agreed(three({{10, 3.0}, {20, 1.0}, {40, 1.01}}, asked), always, 0.0)->solve({});
+      refined_until_agreed(three({{10, 3.0}, {20, 1.0}, {40, 1.01}}, asked), {})->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_EQ(amplitude(solution), 1.01);
 }
@@ -78,21 +77,20 @@ TEST(RefinedUntilAgreed, AsksAThirdWhereTwoDisagree) {
 TEST(RefinedUntilAgreed, PassesOverResolutionsWithoutAnAnswer) {
   std::vector<int> asked;
   const Solution solution =
-      refined_until_agreed(three({{10, 1.0}, {20, -1.0}, {40, 1.0}}, asked), always, 0.0)->solve({});
+      refined_until_agreed(three({{10, 1.0}, {20, -1.0}, {40, 1.0}}, asked), {})->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_EQ(solution.message, "solved; N = 40");
-  const Solution alone =
-      refined_until_agreed(three({{10, 0.0}, {20, 0.0}, {40, 1.0}}, asked), always, 0.0)->solve({});
+  const Solution alone = refined_until_agreed(three({{10, 0.0}, {20, 0.0}, {40, 1.0}}, asked), {})->solve({});
   EXPECT_EQ(alone.verdict, Verdict::converged);
-  const Solution none =
-      refined_until_agreed(three({{10, 0.0}, {20, 0.0}, {40, 0.0}}, asked), always, 0.0)->solve({});
+  const Solution none = refined_until_agreed(three({{10, 0.0}, {20, 0.0}, {40, 0.0}}, asked), {})->solve({});
   EXPECT_EQ(none.verdict, Verdict::not_converged);
 }
 
 TEST(RefinedUntilAgreed, TakesAnAnswerThatIsNotWorthTheNextResolution) {
   std::vector<int> asked;
   const Solution solution =
-      refined_until_agreed(three({{10, 0.0}, {20, 1.0}, {40, 3.0}}, asked), never, 0.0)->solve({});
+      refined_until_agreed(three({{10, 0.0}, {20, 1.0}, {40, 3.0}}, asked), {.worth_refining = never})
+          ->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_EQ(amplitude(solution), 1.0);
   EXPECT_EQ(asked, (std::vector<int>{10, 20}));
@@ -102,7 +100,7 @@ TEST(RefinedUntilAgreed, DoesNotClaimWhatItHadNoTimeToCheck) {
   std::vector<int> asked;
   const Start late{.deadline = std::chrono::steady_clock::now()};
   const Solution solution =
-      refined_until_agreed(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), always, 0.0)->solve(late);
+      refined_until_agreed(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), {})->solve(late);
   EXPECT_EQ(solution.verdict, Verdict::not_converged);
   EXPECT_EQ(solution.message, "solved; N = 10; the time was up before a finer one could be asked");
 }
@@ -110,14 +108,14 @@ TEST(RefinedUntilAgreed, DoesNotClaimWhatItHadNoTimeToCheck) {
 TEST(RefinedUntilAgreed, TakesMotionsAtRestForTheSame) {
   std::vector<int> asked;
   const Answers rounding{{10, 1e-16}, {20, 3e-16}, {40, 1e-15}};
-  const Solution solution = refined_until_agreed(three(rounding, asked), always, 1e-6)->solve({});
+  const Solution solution = refined_until_agreed(three(rounding, asked), {.least = 1e-6})->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_EQ(asked, (std::vector<int>{10, 20}));
 }
 
 TEST(RefinedUntilAgreed, PreparesFinerResolutionsInEverySolve) {
   std::vector<int> asked;
-  const auto refined = refined_until_agreed(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), always, 0.0);
+  const auto refined = refined_until_agreed(three({{10, 1.0}, {20, 1.0}, {40, 1.0}}, asked), {});
   refined->solve({});
   refined->solve({});
   EXPECT_EQ(asked, (std::vector<int>{10, 20, 20}));
@@ -140,13 +138,38 @@ TEST(RelativeDistance, IsThatOfTheLargerMotionWhereverTheOriginIs) {
 
 TEST(RefinedUntilAgreed, ClaimsTheFinestOnlyIfItIsNearTheOneBefore) {
   std::vector<int> asked;
-  const Solution near =
-      refined_until_agreed(three({{10, 5.0}, {20, 1.0}, {40, 1.3}}, asked), always, 0.0)->solve({});
+  const Solution near = refined_until_agreed(three({{10, 5.0}, {20, 1.0}, {40, 1.3}}, asked), {})->solve({});
   EXPECT_EQ(near.verdict, Verdict::converged);
-  const Solution far =
-      refined_until_agreed(three({{10, 5.0}, {20, 1.0}, {40, 3.0}}, asked), always, 0.0)->solve({});
+  const Solution far = refined_until_agreed(three({{10, 5.0}, {20, 1.0}, {40, 3.0}}, asked), {})->solve({});
   EXPECT_EQ(far.verdict, Verdict::not_converged);
   EXPECT_EQ(far.message, "solved; N = 40; the motion at the resolution before is 0.67 away");
+}
+
+TEST(RefinedUntilAgreed, ClaimsOnlyWhatIsConfirmedWhereThatIsAskedFor) {
+  const RefinementRule strict{.resolution = "H", .only_confirmed = true};
+  const auto end_of = [&](const Answers& answers) {
+    std::vector<int> asked;
+    return refined_until_agreed(three(answers, asked), strict)->solve({});
+  };
+  EXPECT_EQ(end_of({{10, 2.0}, {20, 1.0}, {40, 1.04}}).verdict, Verdict::converged);
+  const Solution apart = end_of({{10, 5.0}, {20, 1.0}, {40, 1.3}});
+  EXPECT_EQ(apart.verdict, Verdict::not_converged);
+  EXPECT_EQ(apart.message,
+            "solved; H = 40; the motion at the resolution before is 0.23 away, 0.05 is asked for");
+  EXPECT_EQ(amplitude(apart), 1.3);
+  const Solution alone = end_of({{10, 0.0}, {20, 1.0}, {40, 0.0}});
+  EXPECT_EQ(alone.verdict, Verdict::not_converged);
+  EXPECT_EQ(alone.message, "solved; H = 20; no other resolution confirms it");
+  EXPECT_EQ(end_of({{10, 0.0}, {20, 0.0}, {40, 0.0}}).message, "solved; H = 40");
+}
+
+TEST(RefinedUntilAgreed, AsksNoFurtherWhereAFinerResolutionWouldFailToo) {
+  std::vector<int> asked;
+  const RefinementRule hopeless{.worth_refining = [](const Solution&) { return false; }};
+  const Solution none =
+      refined_until_agreed(three({{10, 0.0}, {20, 1.0}, {40, 1.0}}, asked), hopeless)->solve({});
+  EXPECT_EQ(none.verdict, Verdict::not_converged);
+  EXPECT_EQ(asked, (std::vector<int>{10}));
 }
 
 }  // namespace

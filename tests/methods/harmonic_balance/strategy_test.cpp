@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -49,15 +50,41 @@ HarmonicMethodFor method_of(std::shared_ptr<const GridSolver> solver, bool open)
 
 bool begins(const Solution& solution, const std::string& words) { return solution.message.find(words) == 0; }
 
-TEST(Strategy, DoublesHarmonicsUpTo160WhereNothingConverges) {
+TEST(Strategy, DoublesHarmonicsUpTo640WhereNothingConverges) {
   const auto solver = std::make_shared<FailingSolver>();
   const Problem problem = test::to_problem(kStop);
   const Solution solution = prepare_harmonic_balance(problem, {}, method_of(solver, true))->solve({});
   EXPECT_EQ(solution.verdict, Verdict::not_converged);
   // Beyond 20 harmonics the start of the continuation is asked before the grids of all of them.
-  EXPECT_EQ(solver->harmonics, (std::vector<int>{20, 20, 40, 20, 80, 20, 160}));
-  EXPECT_EQ(solution.work.pivots, 7);
-  EXPECT_NE(solution.message.find("; H = 160"), std::string::npos) << solution.message;
+  EXPECT_EQ(solver->harmonics, (std::vector<int>{20, 20, 40, 20, 80, 20, 160, 20, 320, 20, 640}));
+  EXPECT_EQ(solution.work.pivots, 11);
+  EXPECT_NE(solution.message.find("; H = 640"), std::string::npos) << solution.message;
+}
+
+// A spring of 4640 N/m, which 20 harmonics are too few for.
+TEST(Strategy, GoesOnToMoreHarmonicsUntilTwoAgree) {
+  Problem problem = test::to_problem({.damping = 0.1164, .frequency = 1.754, .gap = -0.2484});
+  problem.law = Penalty{{4640.0}};
+  const Solution exact = test::solve<ExactOrbitMethod>(problem, {});
+  const Solution open = test::solve<FourierLipschitz>(problem, {});
+  ASSERT_EQ(open.verdict, Verdict::converged) << open.message;
+  EXPECT_LE(test::relative_distance(*exact.trajectory, *open.trajectory), 0.05);
+  const int harmonics = open.trajectory->bandwidth().value();
+  EXPECT_NE(open.message.find("; H = " + std::to_string(harmonics)), std::string::npos) << open.message;
+  const Solution asked = test::solve<FourierLipschitz>(problem, {{.harmonics = harmonics}});
+  EXPECT_EQ(test::relative_distance(*asked.trajectory, *open.trajectory), 0.0);
+  const Solution few = test::solve<FourierLipschitz>(problem, {{.harmonics = 20}});
+  EXPECT_EQ(few.verdict, Verdict::converged);
+  EXPECT_GT(test::relative_distance(*exact.trajectory, *few.trajectory), 0.05);
+}
+
+// On a load of 500 oscillations the first number is 640: one more is asked, for one alone confirms nothing.
+TEST(Strategy, ConfirmsAnAnswerBeyondItsLastNumberOfHarmonics) {
+  Problem problem = test::to_problem({.damping = 0.1, .frequency = 0.01, .gap = 10.0});
+  problem.force = {{.dof = 0, .harmonic = 500, .cos = 1.0, .sin = 0.0}};
+  const Solution solution = test::solve<FourierLipschitz>(problem, {});
+  EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  EXPECT_EQ(solution.trajectory->bandwidth(), 1280);
 }
 
 TEST(Strategy, StaysWithTheHarmonicsOfAUserWhoSetsThemOrTheSolver) {
