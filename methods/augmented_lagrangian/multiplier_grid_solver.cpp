@@ -11,7 +11,6 @@
 
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/complementarity/projected_residual.hpp"
-#include "methods/discretisation/fourier_series.hpp"
 #include "methods/solvers/anderson_acceleration.hpp"
 #include "methods/structure/periodic_response.hpp"
 
@@ -63,7 +62,7 @@ class MultiplierIteration {
 
   /// Of the projected equations at lambda.
   [[nodiscard]] double residual() {
-    const Eigen::VectorXd packed = pack_harmonics(lambda_ * lipschitz_.root().cwiseInverse().asDiagonal());
+    const Eigen::VectorXd packed = lipschitz_.unknowns_of(lambda_);
     return lipschitz_.error(packed, lipschitz_.residual(packed));
   }
 
@@ -135,12 +134,8 @@ class MultiplierIteration {
   }
 
   [[nodiscard]] Eigen::MatrixXcd next_multiplier() {
-    const Eigen::VectorXd& root = lipschitz_.root();
-    const auto packed = [&](const Eigen::MatrixXcd& force) {
-      return pack_harmonics(force * root.cwiseInverse().asDiagonal());
-    };
-    const Eigen::VectorXd next = acceleration_.next(packed(multiplier_), packed(lambda_));
-    return unpack_harmonics(next, equations_.receptance.harmonics()) * root.asDiagonal();
+    return lipschitz_.force_of(
+        acceleration_.next(lipschitz_.unknowns_of(multiplier_), lipschitz_.unknowns_of(lambda_)));
   }
 
   /// rho (x - g) - alpha mu = rho (x - alpha mu / rho - g): a multiplier is a part of the free response.

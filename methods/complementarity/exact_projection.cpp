@@ -71,16 +71,15 @@ bool is_consistent(const ProjectedEquations& equations, const std::vector<int>& 
 ExactProjection project_exactly(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
                                 const ExactProjectionSettings& settings, const StopShifts& shifts) {
   ProjectedResidual residual(equations, settings.samples, settings.tolerance, shifts);
-  const Eigen::VectorXd& root = residual.root();
   // Far from the solution a full step may lose a contact; a shorter one keeps it.
-  NewtonKrylovResult newton = solve_newton_krylov(
-      residual, pack_harmonics(lambda * root.cwiseInverse().asDiagonal()), settings.tolerance,
-      {.max_steps = settings.most, .max_halvings = 10, .deadline = settings.deadline});
+  NewtonKrylovResult newton =
+      solve_newton_krylov(residual, residual.unknowns_of(lambda), settings.tolerance,
+                          {.max_steps = settings.most, .max_halvings = 10, .deadline = settings.deadline});
   return {.converged = newton.end == NewtonEnd::solved,
           .iterations = newton.iterations,
           .residual = newton.residual,
           .condition = newton.condition,
-          .lambda = unpack_harmonics(newton.unknowns, equations.receptance.harmonics()) * root.asDiagonal()};
+          .lambda = residual.force_of(newton.unknowns)};
 }
 
 ExactProjection solve_permanent_contact(const ProjectedEquations& equations, double tolerance) {

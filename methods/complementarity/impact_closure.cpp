@@ -274,7 +274,7 @@ void judge_closure(const ProjectedEquations& equations, const std::vector<Closed
     closure.largest = std::max(closure.largest, std::abs(contact.distance));
   }
   ProjectedResidual whole(equations, settings.samples, settings.tolerance, closure.shifts);
-  const Eigen::VectorXd packed = pack_harmonics(closure.lambda * whole.root().cwiseInverse().asDiagonal());
+  const Eigen::VectorXd packed = whole.unknowns_of(closure.lambda);
   closure.residual = whole.error(packed, whole.residual(packed));
   std::size_t found = 0;
   for (const auto& intervals : whole.contacts()) found += intervals.size();

@@ -73,6 +73,14 @@ ProjectedResidual::ProjectedResidual(const ProjectedEquations& equations, int sa
   if (greatest_answer(symbol_) * rounding_ <= kFelt * free) least_scale_ = rounding_ / tolerance;
 }
 
+Eigen::VectorXd ProjectedResidual::unknowns_of(const Eigen::MatrixXcd& force) const {
+  return pack_harmonics(force * root().cwiseInverse().asDiagonal());
+}
+
+Eigen::MatrixXcd ProjectedResidual::force_of(const Eigen::VectorXd& lambda) const {
+  return unpack_harmonics(lambda, harmonics_) * root().asDiagonal();
+}
+
 double ProjectedResidual::error(const Eigen::VectorXd& lambda, const Eigen::VectorXd& r) const {
   const double left = r.norm();
   return left == 0.0 ? 0.0 : left / std::max(lambda.norm(), least_scale_);
@@ -121,7 +129,9 @@ KrylovSolve ProjectedResidual::solve_jacobian(const Eigen::VectorXd& r) {
   JacobianSolver::Contacts contacts{.duty = Eigen::VectorXd(root().size()),
                                     .place = [this] { return nodes(); },
                                     .product = [this](const Eigen::VectorXd& v) { return product(v); },
-                                    .matrix = [this] { return jacobian(); }};
+                                    .matrix = {}};
+  // Alternating between frequency and time forms no matrix.
+  if (integral_ == ContactIntegral::exact) contacts.matrix = [this] { return jacobian(); };
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     contacts.duty[static_cast<Eigen::Index>(c)] = indicators_[c].duty();
     for (const ContactInterval& interval : contacts_[c]) {

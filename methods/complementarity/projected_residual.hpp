@@ -30,8 +30,13 @@ class ProjectedResidual {
   ProjectedResidual(const ProjectedEquations& equations, int samples, double tolerance,
                     const StopShifts& shifts = {}, ContactIntegral integral = ContactIntegral::exact);
 
+  /// Instants that the contacts are looked for on, or that are summed over.
+  [[nodiscard]] int samples() const { return samples_; }
   /// sqrt(c), Nc.
   [[nodiscard]] const Eigen::VectorXd& root() const { return symbol_.root(); }
+  /// A force, coefficients n = 0..H, (H+1) x Nc [N], as the packed lambda of these equations, and back.
+  [[nodiscard]] Eigen::VectorXd unknowns_of(const Eigen::MatrixXcd& force) const;
+  [[nodiscard]] Eigen::MatrixXcd force_of(const Eigen::VectorXd& lambda) const;
   /// |R|_2 / |lambda|_2. Short contacts press little on the mean, and much less than the load would: the
   /// force is the scale. Where it lies below the rounding of y, in which the load and the response to the
   /// force cancel, R may be as large as that rounding, as long as a force of that size moves nothing by more

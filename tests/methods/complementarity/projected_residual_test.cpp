@@ -113,6 +113,27 @@ TEST(ProjectedResidual, JacobianIsThatOfDifferences) {
   }
 }
 
+TEST(ProjectedResidual, SolvesWithTheJacobianOfEitherIntegral) {
+  const Scene scene;
+  for (const ContactIntegral integral : {ContactIntegral::exact, ContactIntegral::sampled}) {
+    ProjectedResidual residual(scene.equations(), 64, 1e-10, {}, integral);
+    const Eigen::VectorXd r = residual.residual(some_force());
+    const KrylovSolve solve = residual.solve_jacobian(r);
+    ASSERT_EQ(solve.x.size(), r.size());
+    EXPECT_LE((residual.jacobian() * solve.x - r).norm(), 1e-10 * r.norm());
+    EXPECT_GE(solve.condition.value(), 1.0);
+  }
+}
+
+TEST(ProjectedResidual, TakesAForceInItsUnitsAndBack) {
+  const Scene scene;
+  const ProjectedResidual residual(scene.equations(), 64, 1e-10);
+  const Eigen::MatrixXcd force = residual.force_of(some_force());
+  EXPECT_DOUBLE_EQ(force(0, 1).real(),
+                   std::sqrt(5.0) * unpack_harmonics(some_force(), kHarmonics)(0, 1).real());
+  EXPECT_LE((residual.unknowns_of(force) - some_force()).norm(), 1e-15);
+}
+
 TEST(ProjectedResidual, SampledContactsLastFromHalfAStepBeforeToHalfAStepBehind) {
   Scene scene;
   scene.receptance.free_response.setZero();
