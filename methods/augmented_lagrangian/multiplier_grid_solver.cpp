@@ -12,6 +12,7 @@
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/solvers/anderson_acceleration.hpp"
+#include "methods/solvers/homotopy.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
@@ -112,18 +113,15 @@ class MultiplierIteration {
   /// From a solved share of rho up to rho, each penalty from the solution of the one before, the next one
   /// nearer where Newton's method does not follow.
   bool harden(double solved) {
-    constexpr double kLargest = 2.0, kSmallest = 1.02;  // ratios of penalties
-    double ratio = kLargest;
-    while (solved < 1.0 && ratio >= kSmallest) {
-      const double share = std::min(1.0, solved * ratio);
-      if (solve(equations_.receptance, share)) {
-        solved = share;
-        ratio = std::min(kLargest, ratio * ratio);
-      } else {
-        ratio = std::sqrt(ratio);
-      }
-    }
-    return solved >= 1.0;
+    constexpr PathSteps kSteps{.smallest = 0.03};  // in log2 rho: penalties at most double
+    const auto advance = [&](double step) {
+      const double share = std::min(1.0, solved * std::exp2(step));
+      const bool follows = solve(equations_.receptance, share);
+      if (follows) solved = share;
+      return follows;
+    };
+    return follow_path(
+        kSteps, advance, [&] { return solved >= 1.0; }, [] { return false; });
   }
 
   /// Of rho where a penalty is soft beside the structure at the frequency of the motion.

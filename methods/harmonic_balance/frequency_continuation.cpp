@@ -9,6 +9,7 @@
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
+#include "methods/solvers/homotopy.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 
 namespace signorini {
@@ -17,9 +18,9 @@ namespace {
 
 constexpr double kSearchRatio = 1.1;
 constexpr int kSearchSteps = 32;
-constexpr double kLargestStep = 1.0 / 16.0;  // of the way from frequency to frequency
-constexpr double kSmallestStep = 1.0 / 4096.0;
-constexpr int kMostTrials = 200;
+// Of the way from frequency to frequency.
+constexpr PathSteps kSteps{
+    .first = 1.0 / 16.0, .largest = 1.0 / 16.0, .smallest = 1.0 / 4096.0, .trials = 200};
 
 /// The scene under the same load at another frequency; shares the matrices.
 Problem at_frequency(Problem problem, double frequency) {
@@ -67,24 +68,21 @@ PathEnd follow(const HarmonicSetup& setup, double from, const Start& budget, Wor
   const double to = setup.problem->frequency;
   PathEnd end{.share = from == to ? 1.0 : 0.0,  // lambda = 0 solves the scene itself
               .lambda = Eigen::MatrixXcd::Zero(setup.receptance.harmonics() + 1, setup.gap.size())};
-  const auto within_limits = [&] {
-    return !budget.expired() && !is_spent(setup.options.max_iterations, work);
-  };
-  double step = kLargestStep;
-  for (int trial = 0; trial < kMostTrials && end.share < 1.0 && step >= kSmallestStep && within_limits();
-       ++trial) {
+  const auto advance = [&](double step) {
     const double share = std::min(1.0, end.share + step);
     GridSolution point = solve_at(setup, frequency_on(from, to, share), end.lambda, budget, work);
     if (point.solved) {
       end.share = share;
       end.lambda = std::move(point.lambda);
       ++end.points;
-      step = std::min(2.0 * step, kLargestStep);
     } else {
       end.last_failure = std::move(point.message);
-      step *= 0.5;
     }
-  }
+    return point.solved;
+  };
+  follow_path(
+      kSteps, advance, [&] { return end.share >= 1.0; },
+      [&] { return budget.expired() || is_spent(setup.options.max_iterations, work); });
   return end;
 }
 

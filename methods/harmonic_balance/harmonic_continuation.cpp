@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/solvers/homotopy.hpp"
 
 namespace signorini {
 
@@ -15,7 +16,7 @@ constexpr int kFewestHarmonics = 5;
 constexpr int kStartUnknowns = 800;  // harmonics times contacts: pivots grow with both
 constexpr double kStartFactor = 1.0 / 16.0;
 constexpr double kGrowth = 2.0;  // of the harmonics where Newton follows
-constexpr int kContinuationSteps = 20;
+constexpr PathSteps kSteps{.smallest = 1.0 / 32.0, .growth = 32.0, .trials = 20};
 
 /// lambda with zeros for the harmonics that it lacks.
 Eigen::MatrixXcd extended(const Eigen::MatrixXcd& lambda, int harmonics) {
@@ -50,37 +51,33 @@ ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const
                                       const LawAt& law_at, const ContinuationPoint& start,
                                       Eigen::MatrixXcd lambda, double tolerance, const Start& budget) {
   const int all = receptance.harmonics();
-  const auto grown = [all](int harmonics) {
-    return std::min(all, static_cast<int>(std::ceil(kGrowth * harmonics)));
-  };
-  int iterations = 0;
   ContinuationPoint here = start;
-  ContinuationPoint next{grown(here.harmonics), 1.0};
-  for (int trial = 0; trial < kContinuationSteps && !budget.expired(); ++trial) {
+  ExactProjection end;
+  int iterations = 0;
+  // A share of the way, in log H and log c, to twice the harmonics at the full constant.
+  const auto advance = [&](double step) {
+    const double grown = std::min<double>(all, kGrowth * here.harmonics);
+    const auto harmonics =
+        static_cast<int>(std::lround(here.harmonics * std::pow(grown / here.harmonics, step)));
+    const ContinuationPoint next{harmonics, std::pow(here.stiffness_factor, 1.0 - step)};
     const ContactReceptance level = truncated(receptance, next.harmonics);
     const ProjectedLaw law = with_stiffness_factor(law_at(level), next.stiffness_factor);
     ExactProjection exact = project_exactly(
         {level, gap, law}, extended(lambda, next.harmonics),
         {.samples = kResolvingSamples * next.harmonics, .tolerance = tolerance, .deadline = budget.deadline});
     iterations += exact.iterations;
-    if (exact.converged) {
-      here = next;
-      if (here.harmonics == all && here.stiffness_factor == 1.0) {
-        exact.iterations = iterations;
-        return exact;
-      }
-      lambda = std::move(exact.lambda);
-      next = {grown(here.harmonics), 1.0};
-    } else {
-      // Halfway back in log H and log c. A step that adds no harmonic and stiffens by less than 5 % is the
-      // end.
-      const int halfway = static_cast<int>(std::sqrt(static_cast<double>(here.harmonics) * next.harmonics));
-      const double softer = std::sqrt(here.stiffness_factor * next.stiffness_factor);
-      if (halfway == here.harmonics && softer < 1.05 * here.stiffness_factor) break;
-      next = {halfway, softer};
-    }
-  }
-  return {.iterations = iterations, .lambda = {}};
+    if (!exact.converged) return false;
+    here = next;
+    lambda = exact.lambda;
+    end = std::move(exact);
+    return true;
+  };
+  const bool reached = follow_path(
+      kSteps, advance, [&] { return here.harmonics == all && here.stiffness_factor == 1.0; },
+      [&] { return budget.expired(); });
+  if (!reached) end = {.lambda = {}};
+  end.iterations = iterations;
+  return end;
 }
 
 }  // namespace signorini

@@ -26,9 +26,9 @@ ContinuationPoint continuation_start(const ContactReceptance& receptance);
 
 /// Follows a solution of the exactly projected equations (project_exactly) from `start` to all harmonics of
 /// `receptance` at the full constant. Each trial doubles the harmonics at the full constant; where Newton
-/// does not follow, the trial moves half of the way back, on logarithmic scales of both. A solution so found
-/// costs a few solves of (2 H + 1) Nc unknowns where a path of pivots on the fine grid costs thousands of
-/// updates (docs/decisions/0007).
+/// does not follow, the trial moves half of the way back, on logarithmic scales of both (follow_path). A
+/// solution so found costs a few solves of (2 H + 1) Nc unknowns where a path of pivots on the fine grid
+/// costs thousands of updates (docs/decisions/0007).
 ///
 /// \return with all harmonics and the law's own constant; not converged where it stalled. Its iterations are
 ///         all Newton steps, those of failed trials included

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "methods/solvers/homotopy.hpp"
+
 namespace signorini {
 
 namespace {
@@ -16,9 +18,10 @@ constexpr double kSofter = 1.0 / 16.0;  // from one attempt at a first solution 
 constexpr double kSoftest = 1e-8;
 constexpr double kStiffest = 10.0;  // behind which the stops' own law is tried, first
 constexpr double kNoSpring = 1e6;
-constexpr double kRigid = std::numeric_limits<double>::infinity();       // r of no spring
-constexpr double kFirstFactor = 2.0, kLargest = 16.0, kSmallest = 1.05;  // from one r to the next
-constexpr double kNear = 1e-6;                                           // tolerance of all but the last
+constexpr double kRigid = std::numeric_limits<double>::infinity();  // r of no spring
+constexpr double kLargest = 16.0;                                   // from one r to the next
+constexpr PathSteps kSteps{.first = 1.0, .largest = 4.0, .smallest = 0.07, .growth = 1.5};  // in log2 r
+constexpr double kNear = 1e-6;  // tolerance of all but the last
 constexpr int kSteps = 15;
 
 /// The solves of one continuation.
@@ -67,26 +70,25 @@ ExactProjection continue_in_stiffness(const ProjectedEquations& equations, Eigen
                                       const ExactProjectionSettings& settings) {
   Springs springs(equations, std::move(lambda), settings);
   double solved = soften(springs);
-  double factor = kFirstFactor;
   double stiffest = kStiffest;
-  while (solved > 0.0 && factor >= kSmallest && !springs.expired()) {
-    const double next = solved * factor <= stiffest ? solved * factor : kRigid;
-    std::optional<ExactProjection> found = springs.solve(next);
-    if (found && next == kRigid) {
-      found->iterations = springs.iterations();
-      return *std::move(found);
-    }
-    if (found) {
-      solved = next;
-      factor = std::min(kLargest, std::pow(factor, 1.5));
-    } else if (next == kRigid && stiffest < kNoSpring) {
+  std::optional<ExactProjection> rigid;
+  const auto advance = [&](double step) {
+    const double next = solved * std::exp2(step);
+    if (next > stiffest) {
+      rigid = springs.solve(kRigid);
+      if (rigid || stiffest >= kNoSpring) return rigid.has_value();
       stiffest *= kLargest;
-    } else {
-      factor = std::sqrt(factor);
     }
-  }
-  return {
-      .iterations = springs.iterations(), .residual = std::numeric_limits<double>::infinity(), .lambda = {}};
+    if (!springs.solve(next)) return false;
+    solved = next;
+    return true;
+  };
+  if (solved > 0.0)
+    follow_path(
+        kSteps, advance, [&] { return rigid.has_value(); }, [&] { return springs.expired(); });
+  if (!rigid) rigid = ExactProjection{.residual = std::numeric_limits<double>::infinity(), .lambda = {}};
+  rigid->iterations = springs.iterations();
+  return *std::move(rigid);
 }
 
 }  // namespace signorini

@@ -13,7 +13,7 @@ namespace signorini {
 /// Newton's method needs, from `lambda`, to infinity. On springs a motion near the rigid one is a good start:
 /// there y = c (x - g) - alpha lambda is mostly the displacement, which a series has right where a truncated
 /// contact force swings about its own. r rises by up to sixteen times; where Newton's method does not follow,
-/// by the root of that. Each solve takes at most fifteen steps.
+/// by the root of that (follow_path). Each solve takes at most fifteen steps.
 ///
 /// \param lambda    a force near the solution, (H+1) x Nc [N]
 /// \param settings  of the last solve, `most` apart; those before are to 1e-6
