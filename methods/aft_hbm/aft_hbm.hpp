@@ -5,10 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/complementarity/projected_law.hpp"
-#include "methods/curve.hpp"
-#include "methods/harmonic_balance/harmonic_options.hpp"
-#include "methods/method.hpp"
+#include "methods/harmonic_balance/projected_method.hpp"
 
 namespace signorini {
 
@@ -26,18 +23,12 @@ namespace signorini {
 /// `plain`: alternating frequency/time on 32 H samples and Newton from the contact-free response, or by
 /// `continuation=frequency` from where nothing touches, with the constants of fourier-lipschitz and
 /// penalty-hbm, without homotopy. It sets what is left at `auto`.
-class AftHbm final : public Method, public CurveMethod {
+class AftHbm final : public FollowedMethod {
  public:
   enum class ContactLaw { dlft, penalty };
 
   static constexpr std::string_view kName = "aft-hbm";
   static constexpr std::string_view kTitle = "Alternating frequency/time harmonic balance, Newton-Krylov";
-  static constexpr std::string_view kLaws = "restitution 1; penalty; massless";
-  static constexpr std::string_view kLimits =
-      "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
-      "harmonics, 1 % some 300. With few harmonics some series rattle, near no motion.";
-  static constexpr std::string_view kLadder = "harmonics=10|40|160";
-  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   /// With this value of an option, the equations are those of this method.
   static constexpr std::array<std::array<std::string_view, 3>, 2> kSameEquations{
@@ -54,15 +45,9 @@ class AftHbm final : public Method, public CurveMethod {
 
     void visit(auto&& field) {
       const auto contact_law = [&] {
-        field("law", law, "[-]", "dlft (dynamic Lagrangian) | penalty");
-        field(
-            "c", c, "[-]",
-            "dlft: constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, in series "
-            "with a spring of the scene; plain 1x the static one");
-        field(
-            "penalty", penalty, "[N/m]",
-            "penalty: stiffness of the stop, 1e6 or 100x; auto: the scene's, else 8x the dynamic one near H, "
-            "stiffer if massless; plain 100x the static one");
+        field("law", law, "[-]", "dlft (dynamic Lagrangian, has c) | penalty (has penalty)");
+        field("c", c, "[-]", kConstantText);
+        field("penalty", penalty, "[N/m]", kPenaltyText);
       };
       const auto solver = [&] {
         field("homotopy", homotopy, "[-]",
@@ -75,20 +60,9 @@ class AftHbm final : public Method, public CurveMethod {
   explicit AftHbm(const Options& options);  ///< \throws InvalidOption
 
   [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
-  [[nodiscard]] Support supports(const Problem& problem) const override;
-  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
-  [[nodiscard]] const CurveMethod* curve() const override { return this; }
-  /// Over the frequency of the load.
-  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
-    return follows_frequency(*this, scene);
-  }
-  /// Of the equations above, with the harmonics asked for or the first number (series_diagram).
-  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
-                                     const CurveLimits& limits) const override;
 
  private:
-  [[nodiscard]] LawAt law_at(const Problem& problem) const;
+  [[nodiscard]] HarmonicMethod preset(const Problem& problem) const override;
 
   Options options_;
 };

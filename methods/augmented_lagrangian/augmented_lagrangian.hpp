@@ -5,8 +5,7 @@
 #include <string_view>
 
 #include "methods/complementarity/projected_law.hpp"
-#include "methods/harmonic_balance/harmonic_options.hpp"
-#include "methods/method.hpp"
+#include "methods/harmonic_balance/projected_method.hpp"
 
 namespace signorini {
 
@@ -18,15 +17,13 @@ namespace signorini {
 /// its own penalty.
 ///
 /// `plain` is the literature's form: updates as they stand, from rising penalties.
-class AugmentedLagrangian final : public Method {
+class AugmentedLagrangian final : public ProjectedMethod {
  public:
   static constexpr std::string_view kName = "augmented-lagrangian";
   static constexpr std::string_view kTitle = "Harmonic balance with a penalty and updates of a multiplier";
-  static constexpr std::string_view kLaws = "restitution 1; penalty; massless";
   static constexpr std::string_view kLimits =
       "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
       "harmonics, 1 % some 300. Follows no curve in sweep.";
-  static constexpr std::string_view kLadder = "harmonics=10|40|160";
 
   struct Options {
     std::optional<int> harmonics = {};   ///< H >= 1 [-]
@@ -43,7 +40,7 @@ class AugmentedLagrangian final : public Method {
       field("penalty", penalty, "[N/m]",
             "rho, 1e6 or 100x the contact's stiffness; auto: 32x the dynamic one near H, a spring's own");
       field("max_updates", max_updates, "[-]", "limit on updates of the multiplier, 1..100000");
-      field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
+      field("tolerance", tolerance, "[-]", kToleranceText);
       field("max_iterations", max_iterations, "[-]",
             "limit on Newton steps, asked for between updates; 0: none");
       field("plain", plain, "[-]",
@@ -54,13 +51,11 @@ class AugmentedLagrangian final : public Method {
   explicit AugmentedLagrangian(const Options& options);  ///< \throws InvalidOption
 
   [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
-  [[nodiscard]] Support supports(const Problem& problem) const override;
+  /// The scene's; with updates of the multiplier a penalty replaces no spring.
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
 
  private:
-  /// What it shares with the other methods of harmonic balance in the literature's form.
-  [[nodiscard]] HarmonicOptions common() const;
+  [[nodiscard]] HarmonicMethod preset(const Problem& problem) const override;
 
   Options options_;
 };

@@ -55,18 +55,13 @@ class ClosingSolver final : public HarmonicSolver {
 
 }  // namespace
 
-ClosedHbm::ClosedHbm(const Options& options) : options_(options) {
-  validate(common());
-  require_option(!options_.c || *options_.c > 0.0, "c", options_.c, "must be positive, or auto");
+ClosedHbm::ClosedHbm(const Options& options)
+    : ProjectedMethod({.harmonics = options.harmonics,
+                       .tolerance = options.tolerance,
+                       .max_iterations = options.max_iterations}),
+      options_(options) {
+  validate_constant(options_.c);
 }
-
-HarmonicOptions ClosedHbm::common() const {
-  return {.harmonics = options_.harmonics,
-          .tolerance = options_.tolerance,
-          .max_iterations = options_.max_iterations};
-}
-
-Support ClosedHbm::supports(const Problem& problem) const { return supports_harmonics(problem, common()); }
 
 double ClosedHbm::restitution(const Restitution& law) const {
   return options_.restitution == ImpactLaw::scene ? law.e : 1.0;
@@ -75,24 +70,22 @@ double ClosedHbm::restitution(const Restitution& law) const {
 RepresentedLaw ClosedHbm::law(const Problem& problem) const {
   const auto* rigid = std::get_if<Restitution>(&problem.law);
   if (rigid != nullptr) return Restitution{restitution(*rigid)};
-  return projected_method_law(problem);
+  return ProjectedMethod::law(problem);
 }
 
-std::unique_ptr<PreparedMethod> ClosedHbm::prepare(const Problem& problem) const {
-  const HarmonicOptions shared = common();
+HarmonicMethod ClosedHbm::preset(const Problem& problem) const {
+  const auto law = [&problem, c = options_.c](const ContactReceptance& level) {
+    return lipschitz_law(problem, c, level);
+  };
+  return by_complementarity(law, common(), ComplementaritySolver::automatic);
+}
+
+MakeHarmonicSolver ClosedHbm::solver_of(const Problem& problem) const {
   const auto* rigid = std::get_if<Restitution>(&problem.law);
   const ClosureSettings settings{.restitution = rigid != nullptr ? restitution(*rigid) : 1.0,
                                  .constant_is_chosen = options_.c.has_value()};
-  const auto method_for = [&](const Problem& solved) -> HarmonicMethod {
-    const auto law = [&solved, c = options_.c](const ContactReceptance& receptance) {
-      return lipschitz_law(solved, c, receptance);
-    };
-    return {.law_at = law,
-            .grid_solver = lcp_grid_solver(lcp_settings(shared, ComplementaritySolver::automatic))};
-  };
-  return prepare_harmonic_balance(problem, shared, method_for, [settings](HarmonicSetup setup) {
-    return std::make_unique<ClosingSolver>(std::move(setup), settings);
-  });
+  return
+      [settings](HarmonicSetup setup) { return std::make_unique<ClosingSolver>(std::move(setup), settings); };
 }
 
 }  // namespace signorini

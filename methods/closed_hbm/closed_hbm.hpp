@@ -5,8 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/harmonic_balance/harmonic_options.hpp"
-#include "methods/method.hpp"
+#include "methods/harmonic_balance/projected_method.hpp"
 
 namespace signorini {
 
@@ -23,7 +22,7 @@ namespace signorini {
 ///
 /// On stops that are springs, and on massless contacts, there is no law of impact to ask: the answer is the
 /// series of the projected equations alone (solve_series), that of fourier-lipschitz.
-class ClosedHbm final : public Method {
+class ClosedHbm final : public ProjectedMethod {
  public:
   enum class ImpactLaw { scene, none };
 
@@ -35,7 +34,6 @@ class ClosedHbm final : public Method {
       "On a rigid stop impacts must be separate: contact that lasts, sticks or chatters is refused. At "
       "impacts the error of x falls like H^-3/2: 1e-3 takes some 60 harmonics, 1e-6 some 6000. Follows no "
       "curve in sweep.";
-  static constexpr std::string_view kLadder = "harmonics=10|40|160";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
@@ -52,7 +50,7 @@ class ClosedHbm final : public Method {
             "4x, in series with a spring of the scene");
       field("restitution", restitution, "[-]",
             "at which impacts on rigid stops are closed: scene | none (restitution 1)");
-      field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
+      field("tolerance", tolerance, "[-]", kToleranceText);
       field("max_iterations", max_iterations, "[-]", "limit on pivots and Newton steps; 0: the solvers' own");
     }
   };
@@ -60,13 +58,11 @@ class ClosedHbm final : public Method {
   explicit ClosedHbm(const Options& options);  ///< \throws InvalidOption
 
   [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
-  [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
 
  private:
-  /// What it shares with the other methods of harmonic balance.
-  [[nodiscard]] HarmonicOptions common() const;
+  [[nodiscard]] HarmonicMethod preset(const Problem& problem) const override;
+  [[nodiscard]] MakeHarmonicSolver solver_of(const Problem& problem) const override;
   /// The restitution of its impacts on a scene with rigid stops.
   [[nodiscard]] double restitution(const Restitution& law) const;
 

@@ -4,11 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/complementarity/projected_law.hpp"
-#include "methods/curve.hpp"
-#include "methods/harmonic_balance/harmonic_options.hpp"
-#include "methods/method.hpp"
-#include "methods/solvers/lcp/complementarity_solver.hpp"
+#include "methods/harmonic_balance/projected_method.hpp"
 
 namespace signorini {
 
@@ -24,17 +20,11 @@ namespace signorini {
 /// semi-smooth Newton iteration from the contact-free response, or by `continuation=frequency` from where
 /// nothing touches; c is the static stiffness of the contact. It sets what is left at `auto`: with
 /// `plain=true,solver=pivoting` the literature's equations are solved from a cold start too.
-class FourierLipschitz final : public Method, public CurveMethod {
+class FourierLipschitz final : public FollowedMethod {
  public:
   static constexpr std::string_view kName = "fourier-lipschitz";
   static constexpr std::string_view kTitle =
       "Harmonic balance on the Lipschitz form of Signorini's condition";
-  static constexpr std::string_view kLaws = "restitution 1; penalty; massless";
-  static constexpr std::string_view kLimits =
-      "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
-      "harmonics, 1 % some 300. With few harmonics some series rattle, near no motion.";
-  static constexpr std::string_view kLadder = "harmonics=10|40|160";
-  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
     HarmonicOptions common = {};
@@ -44,36 +34,18 @@ class FourierLipschitz final : public Method, public CurveMethod {
     static constexpr auto kFormer = kOptionsOfClosure;
 
     void visit(auto&& field) {
-      const auto law = [&] {
-        field(
-            "c", c, "[-]",
-            "constant c > 0 times the contact's stiffness; auto: 4x the dynamic one near H, in series with a "
-            "spring of the scene; plain 1x the static one");
-      };
-      const auto own_solver = [&] {
-        field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
-      };
-      common.visit(field, law, own_solver);
+      common.visit(
+          field, [&] { field("c", c, "[-]", kConstantText); },
+          [&] { field("solver", solver, "[-]", kSolverText); });
     }
   };
 
   explicit FourierLipschitz(const Options& options);  ///< \throws InvalidOption
 
   [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
-  [[nodiscard]] Support supports(const Problem& problem) const override;
-  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
-  [[nodiscard]] const CurveMethod* curve() const override { return this; }
-  /// Over the frequency of the load.
-  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
-    return follows_frequency(*this, scene);
-  }
-  /// Of the equations above, with the harmonics asked for or the first number (series_diagram).
-  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
-                                     const CurveLimits& limits) const override;
 
  private:
-  [[nodiscard]] LawAt law_at(const Problem& problem) const;
+  [[nodiscard]] HarmonicMethod preset(const Problem& problem) const override;
 
   Options options_;
 };

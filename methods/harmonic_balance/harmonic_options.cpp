@@ -61,6 +61,10 @@ void validate(const HarmonicOptions& options) {
   require_option(options.max_iterations >= 0, "max_iterations", options.max_iterations, "must be 0 or more");
 }
 
+void validate_constant(const std::optional<double>& c) {
+  require_option(!c || *c > 0.0, "c", c, "must be positive, or auto");
+}
+
 Support supports_harmonics(const Problem& problem, const HarmonicOptions& options) {
   const int harmonics = options.first_harmonics(problem);
   const int needed = load_bandwidth(problem);

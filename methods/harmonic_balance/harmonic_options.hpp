@@ -38,10 +38,19 @@ inline constexpr int kDefaultHarmonics = 20;
 /// size at 20 of them is off by a thirtieth.
 inline constexpr int kMostHarmonics = 640;
 
-/// What `harmonics` means in all of them.
+/// What options of several methods mean.
 inline constexpr std::string_view kHarmonicsText =
     "highest harmonic H kept, 1..100000; auto: 20 or what the load needs, and twice as many, up to 640, "
     "until two agree; the first number if plain, or with a solver, a grid or a limit";
+inline constexpr std::string_view kConstantText =
+    "constant c > 0 of the Lipschitz form, times the contact's stiffness; auto: 4x the dynamic one near H, "
+    "in series with a spring of the scene; plain 1x the static one";
+inline constexpr std::string_view kPenaltyText =
+    "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one near H, "
+    "stiffer if massless; plain 100x the static one";
+inline constexpr std::string_view kSolverText =
+    "auto (pivoting with restarts; newton if plain) | pivoting | newton";
+inline constexpr std::string_view kToleranceText = "relative complementarity residual accepted, in (0, 1e-2]";
 
 /// Options that methods of harmonic balance no longer have, and what is said to who sets them.
 inline constexpr std::array<std::array<std::string_view, 2>, 2> kOptionsOfClosure{
@@ -71,7 +80,7 @@ struct HarmonicOptions {
     solver();
     field("continuation", continuation, "[-]",
           "if plain: none | frequency: in steps of the load's frequency, from where nothing touches");
-    field("tolerance", tolerance, "[-]", "relative complementarity residual accepted, in (0, 1e-2]");
+    field("tolerance", tolerance, "[-]", kToleranceText);
     field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
     field("plain", plain, "[-]", "true: the literature's form and constants; sets what is left at auto");
   }
@@ -95,6 +104,8 @@ struct HarmonicOptions {
 
 /// Ranges of the shared options. \throws InvalidOption
 void validate(const HarmonicOptions& options);
+/// The range of the constant c. \throws InvalidOption
+void validate_constant(const std::optional<double>& c);
 
 /// Refuses scenes whose load has harmonics beyond H, and samples that do not carry H.
 Support supports_harmonics(const Problem& problem, const HarmonicOptions& options);

@@ -4,11 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "methods/complementarity/projected_law.hpp"
-#include "methods/curve.hpp"
-#include "methods/harmonic_balance/harmonic_options.hpp"
-#include "methods/method.hpp"
-#include "methods/solvers/lcp/complementarity_solver.hpp"
+#include "methods/harmonic_balance/projected_method.hpp"
 
 namespace signorini {
 
@@ -22,16 +18,11 @@ namespace signorini {
 /// `plain`: the contact integral on 32 H samples, solved by Newton's method from the
 /// contact-free response, or by `continuation=frequency` from where nothing touches; eps is a hundred times
 /// the static stiffness of the contact. It sets what is left at `auto`.
-class PenaltyHbm final : public Method, public CurveMethod {
+class PenaltyHbm final : public FollowedMethod {
  public:
   static constexpr std::string_view kName = "penalty-hbm";
   static constexpr std::string_view kTitle = "Harmonic balance with a penalty spring for the stop";
   static constexpr std::string_view kLaws = "penalty; restitution 1 and massless by regularisation";
-  static constexpr std::string_view kLimits =
-      "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
-      "harmonics, 1 % some 300. With few harmonics some series rattle, near no motion.";
-  static constexpr std::string_view kLadder = "harmonics=10|40|160";
-  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 
   struct Options {
     HarmonicOptions common = {};
@@ -41,35 +32,18 @@ class PenaltyHbm final : public Method, public CurveMethod {
     static constexpr auto kFormer = kOptionsOfClosure;
 
     void visit(auto&& field) {
-      const auto law = [&] {
-        field("penalty", penalty, "[N/m]",
-              "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one "
-              "near H, stiffer if massless; plain 100x the static one");
-      };
-      const auto own_solver = [&] {
-        field("solver", solver, "[-]", "auto (pivoting with restarts; newton if plain) | pivoting | newton");
-      };
-      common.visit(field, law, own_solver);
+      common.visit(
+          field, [&] { field("penalty", penalty, "[N/m]", kPenaltyText); },
+          [&] { field("solver", solver, "[-]", kSolverText); });
     }
   };
 
   explicit PenaltyHbm(const Options& options);  ///< \throws InvalidOption
 
   [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
-  [[nodiscard]] Support supports(const Problem& problem) const override;
-  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override;
-  [[nodiscard]] const CurveMethod* curve() const override { return this; }
-  /// Over the frequency of the load.
-  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
-    return follows_frequency(*this, scene);
-  }
-  /// Of the equations above, with the harmonics asked for or the first number (series_diagram).
-  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
-                                     const CurveLimits& limits) const override;
 
  private:
-  [[nodiscard]] LawAt law_at(const Problem& problem) const;
+  [[nodiscard]] HarmonicMethod preset(const Problem& problem) const override;
 
   Options options_;
 };

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <utility>
 
 #include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/series_tracer.hpp"
@@ -31,12 +30,5 @@ struct SeriesMethod {
 /// \param scene  over the frequency of its load
 BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod& method,
                              const CurveLimits& limits);
-
-/// A method of harmonic balance as its curves need it; refers to the method.
-inline SeriesMethod series_method(const Method& method, const HarmonicOptions& options, LawAt law_at) {
-  return {.options = options, .law_at = std::move(law_at), .prepare = [&method](const Problem& scene) {
-            return method.prepare(scene);
-          }};
-}
 
 }  // namespace signorini

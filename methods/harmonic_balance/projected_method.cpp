@@ -1,0 +1,55 @@
+#include "methods/harmonic_balance/projected_method.hpp"
+
+#include <utility>
+
+#include "methods/complementarity/projected_law.hpp"
+#include "methods/harmonic_balance/continuation/series_diagram.hpp"
+
+namespace signorini {
+
+ProjectedMethod::ProjectedMethod(const HarmonicOptions& common, const std::optional<Scaled>& penalty)
+    : common_(common), penalty_(penalty) {
+  validate(common_);
+  require_option(!penalty_ || penalty_->value > 0.0, "penalty", penalty_, "must be positive, or auto");
+}
+
+Support ProjectedMethod::supports(const Problem& problem) const {
+  return supports_harmonics(problem, common_);
+}
+
+RepresentedLaw ProjectedMethod::law(const Problem& problem) const {
+  return projected_method_law(problem, penalty_);
+}
+
+std::unique_ptr<PreparedMethod> ProjectedMethod::prepare(const Problem& problem) const {
+  return prepare_with(problem, common_);
+}
+
+std::unique_ptr<PreparedMethod> ProjectedMethod::prepare_with(const Problem& problem,
+                                                              const HarmonicOptions& common) const {
+  return prepare_harmonic_balance(
+      problem, common, [this](const Problem& solved) { return preset(solved); }, solver_of(problem));
+}
+
+MakeHarmonicSolver ProjectedMethod::solver_of(const Problem& /*problem*/) const {
+  return [](HarmonicSetup setup) { return std::make_unique<HarmonicSolver>(std::move(setup)); };
+}
+
+BranchDiagram FollowedMethod::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
+  const Problem problem = scene.at(scene.from);
+  HarmonicOptions one_number = common();
+  one_number.harmonics = common().first_harmonics(problem);
+  const SeriesMethod method{
+      .options = one_number, .law_at = preset(problem).law_at, .prepare = [&](const Problem& solved) {
+        return prepare_with(solved, one_number);
+      }};
+  return series_diagram(scene, method, limits);
+}
+
+HarmonicMethod by_complementarity(LawAt law, const HarmonicOptions& common, ComplementaritySolver solver) {
+  return {.law_at = std::move(law),
+          .grid_solver = lcp_grid_solver(lcp_settings(common, solver)),
+          .solver_is_open = leaves_solver_open(common, solver)};
+}
+
+}  // namespace signorini

@@ -1,0 +1,74 @@
+#pragma once
+// What every method of harmonic balance on the projected equations is, whatever its law and its solver.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "methods/curve.hpp"
+#include "methods/harmonic_balance/harmonic_setup.hpp"
+#include "methods/harmonic_balance/strategy.hpp"
+#include "methods/method.hpp"
+
+namespace signorini {
+
+/// A method of harmonic balance: the scenes that it takes, the law that it represents and its way to an
+/// answer (prepare_harmonic_balance) are the same for all. A preset says which law it imposes on the
+/// harmonics and what it does on a grid of samples.
+class ProjectedMethod : public Method {
+ public:
+  static constexpr std::string_view kLaws = "restitution 1; penalty; massless";  ///< for `list`
+  static constexpr std::string_view kLadder = "harmonics=10|40|160";             ///< of a benchmark
+
+  /// Scenes whose load its harmonics and samples carry.
+  [[nodiscard]] Support supports(const Problem& problem) const final;
+  /// The scene's own if it is conservative, restitution 1 on a rigid stop; a penalty asked for replaces a
+  /// spring's stiffness.
+  [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const final;
+
+ protected:
+  /// \param penalty  asked for in place of a spring of the scene
+  /// \throws InvalidOption
+  explicit ProjectedMethod(const HarmonicOptions& common, const std::optional<Scaled>& penalty = {});
+
+  /// The options that all share.
+  [[nodiscard]] const HarmonicOptions& common() const { return common_; }
+  /// The same with other shared options, as of one number of harmonics.
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare_with(const Problem& problem,
+                                                             const HarmonicOptions& common) const;
+  /// What it adds for a scene, which outlives the result.
+  [[nodiscard]] virtual HarmonicMethod preset(const Problem& problem) const = 0;
+
+ private:
+  /// What solves the scene with some number of harmonics: the projected equations alone, or more.
+  [[nodiscard]] virtual MakeHarmonicSolver solver_of(const Problem& problem) const;
+
+  HarmonicOptions common_;
+  std::optional<Scaled> penalty_;
+};
+
+/// One that follows curves of its equations.
+class FollowedMethod : public ProjectedMethod, public CurveMethod {
+ public:
+  static constexpr std::string_view kLimits =
+      "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
+      "harmonics, 1 % some 300. With few harmonics some series rattle, near no motion.";  ///< for people
+  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
+
+  [[nodiscard]] const CurveMethod* curve() const final { return this; }
+  /// Over the frequency of the load.
+  [[nodiscard]] Support follows(const ParametrisedScene& scene) const final {
+    return follows_frequency(*this, scene);
+  }
+  /// Of its equations with the harmonics asked for or the first number (series_diagram).
+  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene, const CurveLimits& limits) const final;
+
+ protected:
+  using ProjectedMethod::ProjectedMethod;
+};
+
+/// A preset that solves each grid as a complementarity problem (lcp_grid_solver).
+HarmonicMethod by_complementarity(LawAt law, const HarmonicOptions& common, ComplementaritySolver solver);
+
+}  // namespace signorini
