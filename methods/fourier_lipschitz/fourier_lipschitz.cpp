@@ -11,9 +11,9 @@ FourierLipschitz::FourierLipschitz(const Options& options)
 }
 
 HarmonicMethod FourierLipschitz::preset(const Problem& problem) const {
-  const auto law = [&problem, c = common().lipschitz_constant(options_.c)](const ContactReceptance& level) {
-    return lipschitz_law(problem, c, level);
-  };
+  const bool by_pivots = options_.solver == ComplementaritySolver::pivoting;
+  const auto law = [&problem, c = common().lipschitz_constant(options_.c, by_pivots)](
+                       const ContactReceptance& level) { return lipschitz_law(problem, c, level); };
   return by_complementarity(law, common(), options_.solver);
 }
 

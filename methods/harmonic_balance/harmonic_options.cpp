@@ -8,9 +8,9 @@ namespace signorini {
 
 namespace {
 
-// Of the literature, in units of the contact's static stiffness (docs/decisions/0027-literature-forms.md).
-constexpr double kLiteratureConstant = 1.0;
-constexpr Scaled kLiteraturePenalty{100.0, true};
+// Of plain forms, in units of the contact's static stiffness: where Newton's method starts from the motion
+// without forces, and where pivoting needs no start (docs/decisions/0055-constants-of-plain-forms.md).
+constexpr double kConstantOfNewton = 1.0, kPenaltyOfNewton = 100.0, kConstantOfPivots = 1e5;
 
 }  // namespace
 
@@ -23,15 +23,17 @@ std::optional<int> HarmonicOptions::fixed_samples(int harmonics) const {
   return plain ? samples.value_or(kPlain * harmonics) : samples;
 }
 
-std::optional<double> HarmonicOptions::lipschitz_constant(const std::optional<double>& asked) const {
-  return plain ? asked.value_or(kLiteratureConstant) : asked;
+std::optional<double> HarmonicOptions::lipschitz_constant(const std::optional<double>& asked,
+                                                          bool by_pivots) const {
+  return plain ? asked.value_or(by_pivots ? kConstantOfPivots : kConstantOfNewton) : asked;
 }
 
-std::optional<Scaled> HarmonicOptions::penalty(const std::optional<Scaled>& asked,
-                                               const Problem& problem) const {
+std::optional<Scaled> HarmonicOptions::penalty(const std::optional<Scaled>& asked, const Problem& problem,
+                                               bool by_pivots) const {
   // The stop of a spring has the scene's own stiffness.
   const bool regularised = !std::holds_alternative<Penalty>(problem.law);
-  return plain && regularised ? asked.value_or(kLiteraturePenalty) : asked;
+  const Scaled of_plain_forms{by_pivots ? kConstantOfPivots : kPenaltyOfNewton, true};
+  return plain && regularised ? asked.value_or(of_plain_forms) : asked;
 }
 
 int HarmonicOptions::first_harmonics(const Problem& problem) const {

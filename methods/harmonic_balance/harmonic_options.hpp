@@ -44,10 +44,10 @@ inline constexpr std::string_view kHarmonicsText =
     "until two agree; the first number if plain, or with a solver, a grid or a limit";
 inline constexpr std::string_view kConstantText =
     "constant c > 0 of the Lipschitz form, times the contact's stiffness; auto: 4x the dynamic one near H, "
-    "in series with a spring of the scene; plain 1x the static one";
+    "in series with a spring of the scene; plain 1x the static one, 1e5x by pivots";
 inline constexpr std::string_view kPenaltyText =
     "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one near H, "
-    "stiffer if massless; plain 100x the static one";
+    "stiffer if massless; plain 100x the static one, 1e5x by pivots";
 inline constexpr std::string_view kSolverText =
     "auto (pivoting with restarts; newton if plain) | pivoting | newton";
 inline constexpr std::string_view kToleranceText = "relative complementarity residual accepted, in (0, 1e-2]";
@@ -91,11 +91,14 @@ struct HarmonicOptions {
   /// turns out to need) otherwise.
   [[nodiscard]] std::optional<int> fixed_samples(int harmonics) const;
   /// The constant of the Lipschitz form, in units of contact_stiffness_scale: the one asked for; else the
-  /// literature's if `plain`, and empty (tied to the highest dynamic stiffness) otherwise.
-  [[nodiscard]] std::optional<double> lipschitz_constant(const std::optional<double>& asked) const;
-  /// The penalty: the one asked for; else, for a rigid stop, the literature's if `plain`; else empty.
-  [[nodiscard]] std::optional<Scaled> penalty(const std::optional<Scaled>& asked,
-                                              const Problem& problem) const;
+  /// that of plain forms if `plain`, and empty (tied to the highest dynamic stiffness) otherwise.
+  /// \param by_pivots  whether pivoting solves the plain form: no iteration loses its way then, and the
+  ///        harder the law, the better the answer
+  [[nodiscard]] std::optional<double> lipschitz_constant(const std::optional<double>& asked,
+                                                         bool by_pivots) const;
+  /// The penalty: the one asked for; else, for a rigid stop, that of plain forms if `plain`; else empty.
+  [[nodiscard]] std::optional<Scaled> penalty(const std::optional<Scaled>& asked, const Problem& problem,
+                                              bool by_pivots) const;
   /// H to begin with: the one asked for; else 20, doubled until the load's harmonics are kept, at most 640.
   [[nodiscard]] int first_harmonics(const Problem& problem) const;
   /// Whether nothing that depends on the grid or on the number of steps is fixed by the user.

@@ -45,11 +45,13 @@ bool is_numeric(const std::string& value) {
   return !value.empty() && end == value.c_str() + value.size();
 }
 
+bool is_resolution(const OptionSetting& setting) {
+  return setting.first != kStartSetting && setting.first != "c" && is_numeric(setting.second);
+}
+
 std::string configuration_of(const Record& record) {
   Settings words = record.settings;
-  std::erase_if(words, [](const OptionSetting& setting) {
-    return setting.first != kStartSetting && is_numeric(setting.second);
-  });
+  std::erase_if(words, is_resolution);
   return method_label(record.method, words);
 }
 

@@ -38,8 +38,12 @@ struct CaseScene {
 /// Whether the value of a setting is a number.
 bool is_numeric(const std::string& value);
 
-/// "event-driven[flow=cvode]": the method with those of its settings that are words, and kStartSetting, as a
-/// solve that starts at the orbit is compared with no other. Settings that are numbers are its resolution.
+/// Whether a setting is a step of a ladder: a number that refines, or coarsens, what is solved. The constant
+/// `c` of a contact law makes other equations of them, as a penalty does, and kStartSetting another start.
+bool is_resolution(const OptionSetting& setting);
+
+/// "event-driven[flow=cvode]": the method with those of its settings that are no resolution, so that
+/// "fourier-lipschitz[c=1e5]" has a row of its own.
 std::string configuration_of(const Record& record);
 
 /// What a record says of its scene.

@@ -51,10 +51,10 @@ FormPlace place_of(const CaseChoice& choice) {
   return {!plain, plain ? additions : -additions, choice.resolution};
 }
 
-/// The method with the settings that are numbers: its resolution, and constants that are given.
+/// The method at its resolution, whatever its other settings.
 std::string level_of(const CaseChoice& choice) {
   Settings numbers = choice.settings;
-  std::erase_if(numbers, [](const OptionSetting& setting) { return !is_numeric(setting.second); });
+  std::erase_if(numbers, [](const OptionSetting& setting) { return !is_resolution(setting); });
   return method_label(choice.method, numbers);
 }
 

@@ -18,6 +18,9 @@ TEST(ConfigurationOf, KeepsWordsAndDropsTheNumbersOfTheResolution) {
   EXPECT_EQ(configuration_of(run("s/hat-lcp[samples=64]")), "hat-lcp");
   EXPECT_EQ(configuration_of(run("s/penalty-hbm[penalty=100x,plain=true,harmonics=5]")),
             "penalty-hbm[penalty=100x,plain=true]");
+  // A constant of the contact law is no resolution either, though it is a number.
+  EXPECT_EQ(configuration_of(run("s/fourier-lipschitz[c=1e5,plain=true,harmonics=5]")),
+            "fourier-lipschitz[c=1e5,plain=true]");
   EXPECT_EQ(configuration_of(run("s/hat-lcp")), "hat-lcp");
   EXPECT_EQ(configuration_of(run("s/hat-lcp[samples=64,start=0.1]")), "hat-lcp[start=0.1]");
 }
