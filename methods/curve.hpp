@@ -117,6 +117,7 @@ struct Branch {
   std::string began = {}, ended = {};      ///< why there, one clause each
   std::vector<SolutionPoint> points = {};  ///< at least two
   std::vector<SpecialPoint> special = {};  ///< in the order of the branch
+  bool by_steps = false;  ///< neighbours are steps of the parameter, and may lie on different curves
 };
 
 /// Called with each branch as soon as it is known.
@@ -127,6 +128,7 @@ struct BranchDiagram {
   std::vector<Branch> branches = {};    ///< in the order in which they were found
   std::string unfinished = {};          ///< what a limit has left undone; empty where nothing
   std::vector<std::string> notes = {};  ///< what was found and not followed, each with its reason
+  std::optional<double> seconds = {};  ///< of a method that works in processes of its own: what they took [s]
 };
 
 /// Special points of one kind and one sequence of events as a curve over two numbers.

@@ -97,7 +97,7 @@ class Cutter {
 ResponseCurve curve_of(const BranchDiagram& diagram) {
   ResponseCurve curve;
   for (const Branch& branch : diagram.branches) {
-    ResponseBranch points;
+    ResponseBranch points{.by_arc_length = !branch.by_steps};
     for (const SolutionPoint& point : branch.points)
       points.points.push_back({.frequency = point.frequency,
                                .order = point.order,

@@ -185,7 +185,7 @@ class ResponseTask final : public CaseTask {
     if (by_steps()) return stepped();
     const double begin = processor_seconds();
     const BranchDiagram diagram = asked_.branches(asked_.limits.timeout, 0);
-    return {.seconds = processor_seconds() - begin, .curve = curve_of(diagram)};
+    return {.seconds = diagram.seconds.value_or(processor_seconds() - begin), .curve = curve_of(diagram)};
   }
 
   [[nodiscard]] TimedCurve stepped() const {

@@ -5,6 +5,7 @@
 #include "harness/interrupt.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/text/json.hpp"
+#include "methods/curve.hpp"
 
 namespace signorini {
 
@@ -23,9 +24,18 @@ double seconds_per_method(const Problem& problem) {
   return kLeast + kPerCoordinate * problem.size();
 }
 
+/// Whether the method answers what the case asks: a solve, or a curve of its own.
+Support support_of(const Method& method, const Problem& problem,
+                   const std::optional<ResponseQuestion>& response) {
+  const CurveMethod* const curve =
+      response && response->way == ResponseWay::arc_length ? method.curve() : nullptr;
+  return curve == nullptr ? method.supports(problem)
+                          : curve->follows(over_frequency(problem, response->from, response->to));
+}
+
 void send_answer(const Scene& scene, const Case& planned_case, const LineSender& send) {
   const std::unique_ptr<Method> method = planned_case.choice.make();
-  const Support support = method->supports(scene.problem);
+  const Support support = support_of(*method, scene.problem, planned_case.response);
   Applicability answer{.applies = support.ok, .reason = support.reason};
   if (support.ok) answer.law = method->law(scene.problem);
   send(json_line(write_fields(answer)));

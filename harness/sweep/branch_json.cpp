@@ -139,6 +139,7 @@ Json to_json(const Branch& branch, const std::string& method, const std::string&
   for (const SpecialPoint& at : branch.special) special.push_back(special_json(at));
   Json json{{"method", method},   {"sequence", branch.sequence}, {"points", points},
             {"special", special}, {"began", branch.began},       {"ended", branch.ended}};
+  if (branch.by_steps) json["by_steps"] = true;
   if (!other_law.empty()) json["other_law"] = other_law;
   return json;
 }
@@ -148,6 +149,7 @@ Branch branch_from_json(const Json& json) {
     Branch branch{.sequence = json.at("sequence").get<std::string>(),
                   .began = json.at("began").get<std::string>(),
                   .ended = json.at("ended").get<std::string>()};
+    branch.by_steps = json.value("by_steps", false);
     for (const Json& point : json.at("points").get_ref<const Json::array_t&>())
       branch.points.push_back(point_from_json(point));
     for (const Json& special : json.at("special").get_ref<const Json::array_t&>())

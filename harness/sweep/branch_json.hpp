@@ -16,7 +16,7 @@ namespace signorini {
 /// parameter is not the frequency, "energy" where no load drives the motion, and "motion", x_j by instants,
 /// where that was asked for. A special point is a point with "kind", "after", the number of points before it,
 /// and "text".
-/// `other_law` is there unless it is empty.
+/// `by_steps` is there where it is true, `other_law` unless it is empty.
 nlohmann::ordered_json to_json(const Branch& branch, const std::string& method,
                                const std::string& other_law = {});
 

@@ -1,5 +1,6 @@
 """Periodic vibrations of structures with contact, computed by the program signorini. docs/python.md is its page."""
 
+from .curve import Curve, Interval, Point, SpecialPoint
 from .libraries import MissingLibrary
 from .motion import Motion
 from .plugin import Option, PythonMethod, method
@@ -11,6 +12,6 @@ from .results import Event, Orbit, Solution
 from .scene import Scene
 
 __version__ = "0.1.0"
-__all__ = ["BadInput", "Branch", "Contact", "Event", "Interrupted", "Load", "MissingLibrary", "Motion", "NotConverged", "Option",
-           "Orbit", "Problem", "ProgramNotFound", "PythonMethod", "Response", "Scene", "SignoriniError", "Solution", "Special",
+__all__ = ["BadInput", "Branch", "Contact", "Curve", "Event", "Interrupted", "Interval", "Load", "MissingLibrary", "Motion", "NotConverged", "Option",
+           "Orbit", "Point", "Problem", "ProgramNotFound", "PythonMethod", "Response", "Scene", "SignoriniError", "Solution", "Special", "SpecialPoint",
            "find_program", "frame", "load", "method"]

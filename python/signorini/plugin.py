@@ -39,6 +39,19 @@ class PythonMethod:
     represents: Mapping[str, object]
     options: Mapping[str, Option]
     files: Sequence[str | Path] = ()
+    curves: list[Callable] = field(default_factory=list, repr=False)
+
+    def follow(self, function: Callable) -> Callable:
+        """Marks a function `f(problem, interval, option=default, ..)` as the one that follows the method's own curve.
+
+        It gets the problem at interval.start and an `Interval`, and returns curves (`Curve`) or yields them. Its keywords are
+        options of the method, of the same names.
+        """
+        unknown = [name for name in list(inspect.signature(function).parameters)[2:] if name not in keywords(self.function)]
+        if unknown:
+            raise SignoriniError(f"method {self.name}: {', '.join(unknown)} of {function.__name__} (must be options of the method)")
+        self.curves[:] = [function]
+        return function
 
     def __call__(self, problem: Problem, **options) -> Motion:
         return self.function(problem, **options)
@@ -63,6 +76,8 @@ class PythonMethod:
                  f"title = {text(self.title)}", f"ladder = {text(self.ladder)}",
                  f"command = {text([python, '-m', 'signorini.serve', place[0], self.function.__name__])}"]
         lines.append("persistent = true")
+        if self.curves:
+            lines.append("curves = true")
         if len(place) > 1:
             lines.append(f"files = {text(place[1:])}")
         lines += ["", "[represents]", *(f"{law} = {text(value)}" for law, value in self.represents.items())]

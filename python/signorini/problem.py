@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -21,12 +21,19 @@ class Load:
     """One term of the load: f[dof] += cos * cos(harmonic omega t) + sin * sin(harmonic omega t).
 
     dof: coordinate, from 0.  cos, sin: [N].  harmonic: 0 (constant, without sin) or more.
+    omega_power: at another frequency omega' cos and sin are those here times (omega' / omega)^omega_power.
     """
 
     dof: int
     cos: float = 0.0
     sin: float = 0.0
     harmonic: int = 1
+    omega_power: int = 0
+
+    def scaled(self, ratio: float) -> Load:
+        """The term at `ratio` times the frequency."""
+        factor = ratio ** self.omega_power
+        return replace(self, cos=factor * self.cos, sin=factor * self.sin)
 
 
 @dataclass(frozen=True)
@@ -104,6 +111,12 @@ class Problem:
     def gap(self) -> np.ndarray:
         """g, Nc [m]."""
         return np.array([contact.gap for contact in self.contacts], dtype=float)
+
+    def at(self, frequency: float) -> Problem:
+        """The same structure and load at another frequency of the load [rad/s], without a motion to begin from."""
+        ratio = frequency / self.frequency
+        return replace(self, frequency=frequency, period=self.period / ratio, start=None,
+                       loads=tuple(load.scaled(ratio) for load in self.loads))
 
     def load(self, harmonic: int) -> np.ndarray:
         """F_h, n complex [N]: the load is the sum over h of Re(F_h exp(i h omega t))."""

@@ -7,6 +7,7 @@ it are served alike. docs/plugins.md has both.
 from __future__ import annotations
 
 import importlib.util
+import inspect
 import json
 import os
 import sys
@@ -14,6 +15,7 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 
+from .curve import Interval
 from .plugin import PythonMethod
 from .problem import Problem
 from .program import SERVING, NotConverged, SignoriniError
@@ -23,6 +25,8 @@ def answer(method: PythonMethod, request: Mapping) -> dict:
     """The answer to one request; with the function's own time where the request comes to a process that stays [s]."""
     problem = Problem.from_request(request)
     begin = time.perf_counter()
+    if "follow" in request:
+        return curve(method, problem, request)
     try:
         motion = method(problem, **request["options"])
         seconds = time.perf_counter() - begin
@@ -31,6 +35,21 @@ def answer(method: PythonMethod, request: Mapping) -> dict:
         seconds = time.perf_counter() - begin
         result = {"verdict": "not-converged", "message": str(reason)}
     return {**result, "seconds": seconds} if request.get("persistent") else result
+
+
+def curve(method: PythonMethod, problem: Problem, request: Mapping) -> dict:
+    """The answer to a request for a curve. What was followed before the function raises NotConverged counts."""
+    begin = time.perf_counter()
+    branches: list[dict] = []
+    unfinished = ""
+    function = method.curves[0]
+    options = {name: request["options"][name] for name in list(inspect.signature(function).parameters)[2:]}
+    try:
+        for found in function(problem, Interval.from_request(request["follow"]), **options):
+            branches.append(found.to_json())
+    except NotConverged as reason:
+        unfinished = str(reason)
+    return {"branches": branches, "unfinished": unfinished, "seconds": time.perf_counter() - begin}
 
 
 def serve(method: PythonMethod) -> None:

@@ -179,6 +179,52 @@ function answer = solve_problem(problem, options, kind)
                                  points, omega));
 end
 
+% The response curve between two frequencies by NLvib's own arc length, from a frequency beyond each of them to the other one.
+function answer = follow_curve(problem, options, kind, interval)
+  n = problem.size;
+  [load, known] = first_harmonic(problem.force, n);
+  if !known || problem.subharmonic != 1
+    answer = struct("unfinished", "NLvib has loads of the first harmonic, and motions of their period");
+    answer.branches = {};
+    return
+  end
+  K = full_matrix(problem.stiffness, n);
+  system = MechanicalSystem(full_matrix(problem.mass, n), full_matrix(problem.damping, n), K, ...
+                            springs_of(problem, K, options), load);
+  low = min(interval.from, interval.to);
+  high = max(interval.from, interval.to);
+  analysis = kind(system, options);
+  branches = {};
+  reasons = {};
+  below = contact_free_frequencies(low, system, options);
+  above = contact_free_frequencies(high, system, options);
+  below = [below(below < low), low / options.from](1);
+  above = [above(above > high), high * options.from](1);
+  for way = [below, above; high, low]
+    try
+      [X, ~] = curve_from(way(1), way(2), system, analysis, options);
+    catch failure
+      reasons{end + 1} = failure.message;
+      continue
+    end
+    points = {};
+    for column = 1:size(X, 2)
+      if X(end, column) < low || X(end, column) > high, continue; end
+      motion = analysis.motion(X(:, column));
+      count = numel(motion.t);
+      divisors = 1:max(1, floor(count / 512));  % at least 512 instants, equidistant around the period
+      stride = divisors(mod(count, divisors) == 0)(end);
+      rows = cellfun(@(x) x(1:stride:end), motion.x, "UniformOutput", false);
+      points{end + 1} = struct("omega", X(end, column), "x", {rows});
+    end
+    if numel(points) > 1
+      branches{end + 1} = struct("sequence", sprintf("from %.4g rad/s", way(1)), "points", {points});
+    end
+  end
+  answer.branches = branches;
+  answer.unfinished = strjoin(reasons, "; ");
+end
+
 function [R, J] = residual_at(x, omega, residual, scale)
   [R, dR] = residual([x * scale; omega]);
   J = dR(:, 1:end - 1) * scale;
@@ -199,9 +245,14 @@ while true
   request = jsondecode(line);
   clock_start = tic;
   try
-    answer = solve_problem(request.problem, request.options, kind);
+    if isfield(request, "follow")
+      answer = follow_curve(request.problem, request.options, kind, request.follow);
+    else
+      answer = solve_problem(request.problem, request.options, kind);
+    end
   catch failure
     answer = not_converged(failure.message);
+    if isfield(request, "follow"), answer = struct("branches", {{}}, "unfinished", failure.message); end
   end
   answer.seconds = toc(clock_start);
   printf("%s\n", jsonencode(answer, "ConvertInfAndNaN", false));

@@ -2,8 +2,9 @@
 
 import numpy as np
 from scipy.integrate import solve_ivp
-from signorini import Motion, NotConverged, Option, method
+from signorini import Curve, Motion, NotConverged, Option, Point, method
 
+STEPS = 61  # of the frequency, one way
 INSTANTS = 8192  # of the motion that is handed over: what the harness measures at, so that impacts between them cost nothing
 
 
@@ -70,10 +71,23 @@ class Structure:
                  "max_periods": Option("limit on the periods followed", least=1, most=100000)})
 def scipy_events(problem, tolerance=1e-6, integrator="DOP853", max_periods=2000):
     """solve_ivp of scipy with an event at each stop, until the motion repeats."""
+    structure, y, settings, periods, change = repeating(problem, None, tolerance, integrator, max_periods)
+    instants = problem.period * np.arange(INSTANTS) / INSTANTS
+    _, impacts, states = structure.period(y, problem.period, settings, instants)
+    x, v = problem.normals.T @ states[:problem.size], problem.normals.T @ states[problem.size:]
+    return Motion(x, v, np.zeros_like(x), impulses=impacts, residual=change, work={"iterations": periods},
+                  message=f"the motion repeats after {periods} periods")
+
+
+def repeating(problem, y, tolerance, integrator, max_periods):
+    """The structure, the state of the motion that repeats, the integrator's settings, the periods followed and the last change.
+
+    y: the state to begin with, at rest if None. Raises NotConverged.
+    """
     if np.diag(problem.mass).min() <= 0:
         raise NotConverged("coordinates without mass have no velocity")
     structure, T = Structure(problem), problem.period
-    y = np.zeros(2 * problem.size)
+    y = np.zeros(2 * problem.size) if y is None else y
     length = np.abs(problem.gap).max(initial=0.0) or 1.0
     settings = {"method": integrator, "rtol": tolerance, "atol": tolerance * length}
     for periods in range(1, max_periods + 1):
@@ -81,11 +95,29 @@ def scipy_events(problem, tolerance=1e-6, integrator="DOP853", max_periods=2000)
         scale = np.maximum(np.abs(before).reshape(2, -1).max(axis=1), np.abs(y).reshape(2, -1).max(axis=1))
         change = (np.abs(y - before).reshape(2, -1).max(axis=1) / np.maximum(scale, 1e-300)).max()
         if change <= 10 * tolerance:
-            break
-    else:
-        raise NotConverged(f"the motion does not repeat within {max_periods} periods")
-    instants = T * np.arange(INSTANTS) / INSTANTS
-    _, impacts, states = structure.period(y, T, settings, instants)
-    x, v = problem.normals.T @ states[:problem.size], problem.normals.T @ states[problem.size:]
-    return Motion(x, v, np.zeros_like(x), impulses=impacts, residual=change, work={"iterations": periods},
-                  message=f"the motion repeats after {periods} periods")
+            return structure, y, settings, periods, change
+    raise NotConverged(f"the motion does not repeat within {max_periods} periods")
+
+
+@scipy_events.follow
+def steps(problem, interval, tolerance=1e-6, integrator="DOP853", max_periods=2000):
+    """Steps of the frequency up and down, each from the state before; a step that does not repeat ends a curve."""
+    frequencies = np.sort(interval.at) if len(interval.at) else np.linspace(interval.start, interval.stop, STEPS)
+    instants = interval.phases * problem.subharmonic or 256
+    for way, order in (("up", frequencies), ("down", frequencies[::-1])):
+        y, points = None, []
+        for frequency in order:
+            here = problem.at(frequency)
+            try:
+                structure, y, settings, _, _ = repeating(here, y, tolerance, integrator, max_periods)
+                _, impacts, states = structure.period(y, here.period, settings, here.period * np.arange(instants) / instants)
+            except NotConverged as reason:
+                y = None
+                if len(points) > 1:
+                    yield Curve(points, ended=str(reason), kind=f"steps {way}", by_steps=True)
+                points = []
+                continue
+            points.append(Point(frequency, x=here.normals.T @ states[:here.size], order=here.subharmonic, stable=True,
+                                impacts=len(impacts)))
+        if len(points) > 1:
+            yield Curve(points, ended="end of the interval", kind=f"steps {way}", by_steps=True)

@@ -40,10 +40,12 @@ Json write_problem(const Problem& problem) {
   Json force = Json::array(), contacts = Json::array();
   for (const ForceTerm& term : problem.force) {
     const std::complex<double> amplitude = force_amplitude(term, problem.frequency);
-    force.push_back({{"dof", term.dof},
-                     {"harmonic", term.harmonic},
-                     {"cos", amplitude.real()},
-                     {"sin", term.harmonic == 0 ? term.sin : -amplitude.imag()}});
+    Json written{{"dof", term.dof},
+                 {"harmonic", term.harmonic},
+                 {"cos", amplitude.real()},
+                 {"sin", term.harmonic == 0 ? term.sin : -amplitude.imag()}};
+    if (term.omega_power > 0) written["omega_power"] = term.omega_power;
+    force.push_back(std::move(written));
   }
   for (const Contact& contact : problem.contacts)
     contacts.push_back({{"normal", contact.normal}, {"gap", contact.gap}});
@@ -183,17 +185,39 @@ std::string command_input(Json request, const Start& start) {
   return json_text(request) + "\n";
 }
 
-CommandAnswer read_command_answer(const std::string& output, double period) {
+namespace {
+
+/// What `read` makes of the answer. \throws SolveFailure
+template <class Read>
+auto read_answer(const std::string& output, const Read& read) {
   try {
     const Json json = parse_json(output);
     if (!json.is_object()) refuse("no JSON object");
-    return {.solution = read_solution(json, period), .seconds = read_seconds(json)};
+    return read(json);
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what();  // "[json.exception...] key 'verdict' not found"
     refuse(one_line(what.substr(what.find("] ") + 2), 200));
   } catch (const BadRecord& error) {
     refuse(error.what());
   }
+}
+
+}  // namespace
+
+CommandAnswer read_command_answer(const std::string& output, double period) {
+  return read_answer(output, [&](const Json& json) {
+    return CommandAnswer{.solution = read_solution(json, period), .seconds = read_seconds(json)};
+  });
+}
+
+BranchDiagram read_command_curve(const std::string& output, const ParametrisedScene& scene, int contacts,
+                                 const CurveLimits& limits) {
+  return read_answer(output, [&](const Json& json) {
+    const ExchangedCurve curve = curve_from_json(json);
+    BranchDiagram diagram = diagram_of(curve, scene, contacts, limits);
+    diagram.seconds = curve.seconds;
+    return diagram;
+  });
 }
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "harness/extend/plugins/branch_file.hpp"
 #include "harness/extend/plugins/command_method.hpp"
 #include "harness/files.hpp"
 #include "harness/text/words.hpp"
@@ -85,6 +86,20 @@ std::vector<std::string> read_words(const SceneField& root, const fs::path& fold
     hashed += "\n" + sha256_of_file(file);
   }
   return words;
+}
+
+/// Reads `branches`, with which nothing is run.
+std::shared_ptr<const std::vector<ExchangedBranch>> read_recorded(const SceneField& root,
+                                                                  const fs::path& folder,
+                                                                  std::string& hashed) {
+  constexpr const char* kFile = "must be a file in the folder of this file, a branch per line";
+  for (const char* key : {"command", "persistent", "curves", "option"}) {
+    if (root[key].given()) root[key].refuse("must be left out beside branches: nothing is run");
+  }
+  const fs::path file = folder / root["branches"].text(kFile);
+  if (!fs::is_regular_file(file)) root["branches"].refuse(kFile);
+  hashed += "\n" + sha256_of_file(file);
+  return std::make_shared<const std::vector<ExchangedBranch>>(read_branches(file));
 }
 
 OptionValue read_preset(const SceneField& field) {
@@ -190,15 +205,18 @@ CommandDescription read_command_file(const fs::path& file) {
   const TomlNode document = parse_toml(text, name);
   const SceneField root(document, name);
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
-  root.allow_only({"schema", "name", "title", "ladder", "command", "files", "persistent", "most_coordinates",
-                   "most_contacts", "represents", "option"},
+  root.allow_only({"schema", "name", "title", "ladder", "command", "files", "persistent", "curves",
+                   "branches", "most_coordinates", "most_contacts", "represents", "option"},
                   "must be a table");
   CommandDescription description;
   std::string hashed = text;
   description.name = root["name"].text("must be a name in lower-kebab-case");
   description.title = root["title"].text("must be one line of text");
   description.ladder = root["ladder"].text("must look like key=value|value");
-  description.words = read_words(root, file.parent_path(), hashed);
+  if (root["branches"].given())
+    description.branches = read_recorded(root, file.parent_path(), hashed);
+  else
+    description.words = read_words(root, file.parent_path(), hashed);
   description.represents = read_represented(root["represents"]);
   if (root["option"].given()) {
     for (const SceneField& item : root["option"].items("must be tables [[option]]")) {
@@ -209,6 +227,7 @@ CommandDescription read_command_file(const fs::path& file) {
     }
   }
   description.persistent = read_flag(root["persistent"]);
+  description.curves = read_flag(root["curves"]);
   description.most_coordinates = read_limit(root["most_coordinates"]);
   description.most_contacts = read_limit(root["most_contacts"]);
   description.sha256 = sha256(hashed);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "harness/extend/plugins/branch_file.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/run/trial.hpp"
@@ -40,6 +41,28 @@ OptionValue parse_value(const CommandOption& option, const std::string& text) {
   return option_detail::parse_double(option.name, text);
 }
 
+/// What a command printed within its time. \throws SolveFailure
+const std::string& output_of(const CommandEnd& end) {
+  if (end.unasked) {
+    throw SolveFailure(Status::invalid_output,
+                       "the command's answer: more than one line (must be one for each request)");
+  }
+  if (!end.failure.empty()) {
+    const std::string words = end.last_words.empty() ? "" : ": " + one_line(end.last_words, 400);
+    throw SolveFailure(Status::crashed, end.failure + words, end.signal);
+  }
+  return end.output;
+}
+
+/// \throws SolveFailure for a command that says it took more than that
+void require_within(double seconds, double passed) {
+  if (seconds <= passed) return;
+  throw SolveFailure(
+      Status::invalid_output,
+      fmt::format("the command's answer: seconds = {} (must be at most the {:.6g} s that passed)", seconds,
+                  passed));
+}
+
 /// One scene, its request written.
 class PreparedCommand final : public PreparedMethod {
  public:
@@ -57,12 +80,7 @@ class PreparedCommand final : public PreparedMethod {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     times_.last = answer.seconds;
     if (!times_.last) return std::move(answer.solution);
-    if (*times_.last > passed.count()) {
-      throw SolveFailure(
-          Status::invalid_output,
-          fmt::format("the command's answer: seconds = {} (must be at most the {:.6g} s that passed)",
-                      *times_.last, passed.count()));
-    }
+    require_within(*times_.last, passed.count());
     times_.least_exchange =
         std::min(times_.least_exchange.value_or(passed.count()), passed.count() - *times_.last);
     return std::move(answer.solution);
@@ -76,15 +94,7 @@ class PreparedCommand final : public PreparedMethod {
     const CommandEnd end =
         session_ ? session_->ask(input, start.deadline) : run_command(words_, input, start.deadline);
     if (end.expired) return {.solution = {.message = "the command was stopped at the time limit"}};
-    if (end.unasked) {
-      throw SolveFailure(Status::invalid_output,
-                         "the command's answer: more than one line (must be one for each request)");
-    }
-    if (!end.failure.empty()) {
-      const std::string words = end.last_words.empty() ? "" : ": " + one_line(end.last_words, 400);
-      throw SolveFailure(Status::crashed, end.failure + words, end.signal);
-    }
-    return read_command_answer(end.output, period_);
+    return read_command_answer(output_of(end), period_);
   }
 
   std::vector<std::string> words_;
@@ -97,7 +107,7 @@ class PreparedCommand final : public PreparedMethod {
 /// Runs the command once for each solve, or once for all of a prepared scene, in a process group of its own
 /// that is killed at the deadline. Its time is the one it tells, else all that passes, its start included.
 /// docs/plugins.md states what it reads and prints.
-class CommandMethod final : public Method {
+class CommandMethod final : public Method, public CurveMethod {
  public:
   /// \throws InvalidOption
   CommandMethod(CommandDescription description, std::span<const OptionSetting> settings)
@@ -141,6 +151,33 @@ class CommandMethod final : public Method {
     return std::make_unique<PreparedCommand>(description_, problem, options());
   }
 
+  [[nodiscard]] const CurveMethod* curve() const override { return description_.curves ? this : nullptr; }
+
+  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
+    return follows_frequency(*this, scene);
+  }
+
+  /// Throws SolveFailure where the command crashes or prints no curve; what a command took counts by the
+  /// clock.
+  [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
+                                     const CurveLimits& limits) const override {
+    const Problem problem = scene.at(scene.from);
+    nlohmann::ordered_json request = command_request(problem, options());
+    request["follow"] = follow_request(scene, limits);
+    const std::string input = command_input(std::move(request), {.guess = {}, .deadline = limits.deadline});
+    const auto begin = std::chrono::steady_clock::now();
+    const CommandEnd end = run_command(description_.words, input, limits.deadline);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    BranchDiagram diagram;
+    if (end.expired)
+      diagram.unfinished = "the command was stopped at the time limit";
+    else
+      diagram = read_command_curve(output_of(end), scene, problem.contact_count(), limits);
+    require_within(diagram.seconds.value_or(0.0), passed.count());
+    if (!diagram.seconds) diagram.seconds = passed.count();
+    return diagram;
+  }
+
  private:
   CommandDescription description_;  ///< its options with the values that are set
 };
@@ -149,15 +186,18 @@ class CommandMethod final : public Method {
 
 MethodEntry load_command_method(const std::filesystem::path& file) {
   const CommandDescription description = read_command_file(file);
-  MethodEntry entry{.name = description.name,
-                    .title = description.title,
-                    .laws = description.represents.text(),
-                    .ladder = description.ladder,
-                    .make =
-                        [description](std::span<const OptionSetting> settings) {
-                          return std::make_unique<CommandMethod>(description, settings);
-                        },
-                    .plugin = description.sha256};
+  MethodEntry entry{
+      .name = description.name,
+      .title = description.title,
+      .laws = description.represents.text(),
+      .ladder = description.ladder,
+      .make = [description](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
+        if (description.branches && settings.empty())
+          return method_of_branches(description.branches,
+                                    [laws = description.represents](const Law& law) { return laws.on(law); });
+        return std::make_unique<CommandMethod>(description, settings);
+      },
+      .plugin = description.sha256};
   try {
     for (const CommandOption& option : description.options) {
       const std::string text = print_option(option.value);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/extend/plugins/curve_exchange.hpp"
 #include "harness/plan/deadline.hpp"
 #include "methods/catalogue.hpp"
 
@@ -52,6 +53,9 @@ struct CommandDescription {
   RepresentedLaws represents = {};
   std::optional<int> most_coordinates = {}, most_contacts = {};
   bool persistent = false;  ///< one process for all solves of a prepared scene, a line each
+  bool curves = false;      ///< the command answers requests for curves too
+  /// In place of a command: branches that were followed already.
+  std::shared_ptr<const std::vector<ExchangedBranch>> branches = {};
   std::string sha256 = {};  ///< of the description and the files that its command names
 };
 
@@ -61,7 +65,8 @@ CommandDescription read_command_file(const std::filesystem::path& file);
 /// Problem and options, all that is known before a solve.
 nlohmann::ordered_json command_request(const Problem& problem, const std::vector<OptionEcho>& options);
 
-/// The text for stdin: the request, with the motion to start from and the seconds until the deadline.
+/// The text for stdin: the request, with the motion to start from and the seconds until the deadline, one
+/// line.
 std::string command_input(nlohmann::ordered_json request, const Start& start);
 
 struct CommandAnswer {
@@ -74,6 +79,10 @@ struct CommandAnswer {
 /// scene
 ///         is judged later, as for every method
 CommandAnswer read_command_answer(const std::string& output, double period);
+
+/// The curve printed. \throws SolveFailure (Status::invalid_output) for what is no curve of so many contacts
+BranchDiagram read_command_curve(const std::string& output, const ParametrisedScene& scene, int contacts,
+                                 const CurveLimits& limits);
 
 /// How a command ended.
 struct CommandEnd {

@@ -1,0 +1,254 @@
+#include "harness/extend/plugins/curve_exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+
+#include "harness/records/json_fields.hpp"
+#include "harness/text/json.hpp"
+
+namespace signorini {
+
+/// A point of a command's or a file's branch.
+void visit_fields(Either<ExchangedPoint> auto& point, auto&& field) {
+  field(required("omega", "rad/s"), point.omega);
+  field(Field{"order"}, point.order);
+  field(Field{"x", "m"}, point.x);
+  field(Field{"coefficients", "m"}, point.coefficients);
+  field(Field{"stable"}, point.stable);
+  field(Field{"impacts"}, point.impacts);
+}
+
+/// A special point: the keys of a point, and its own.
+void visit_fields(Either<ExchangedSpecial> auto& special, auto&& field) {
+  field(required("kind"), special.kind);
+  visit_fields(special.point, field);
+  field(Field{"text"}, special.text);
+  field(Field{"after"}, special.after);
+}
+
+/// A branch.
+void visit_fields(Either<ExchangedBranch> auto& branch, auto&& field) {
+  field(Field{"scene"}, branch.scene);
+  field(Field{"sequence"}, branch.sequence);
+  field(Field{"began"}, branch.began);
+  field(Field{"ended"}, branch.ended);
+  field(Field{"by_steps"}, branch.by_steps);
+  field(required("points"), branch.points);
+  field(Field{"special"}, branch.special);
+}
+
+/// A whole answer.
+void visit_fields(Either<ExchangedCurve> auto& curve, auto&& field) {
+  field(required("branches"), curve.branches);
+  field(Field{"unfinished"}, curve.unfinished);
+  field(Field{"notes"}, curve.notes);
+  field(Field{"seconds", "s"}, curve.seconds);
+}
+
+namespace {
+
+/// x_j at N equidistant instants of the period, N x Nc [m].
+using Samples = Eigen::MatrixXd;
+
+constexpr std::size_t kMostInstants = 1'000'000;
+
+[[noreturn]] void refuse(const std::string& what) { throw BadRecord(what); }
+
+/// The rows of a key, one per contact and all of one length, as columns. \throws BadRecord
+Eigen::MatrixXd columns_of(const std::vector<std::vector<double>>& rows, const char* key, int contacts,
+                           std::size_t least) {
+  if (std::cmp_not_equal(rows.size(), contacts))
+    refuse(fmt::format("{} = {} lists (must be one for each of {} contacts)", key, rows.size(), contacts));
+  const std::size_t length = rows.empty() ? least : rows.front().size();
+  if (length < least || length > kMostInstants)
+    refuse(fmt::format("{} = {} numbers (must be {}..{})", key, length, least, kMostInstants));
+  Eigen::MatrixXd columns(length, contacts);
+  for (int j = 0; j < contacts; ++j) {
+    const std::vector<double>& row = rows[static_cast<std::size_t>(j)];
+    if (row.size() != length)
+      refuse(
+          fmt::format("{} = {} and {} numbers (must be as many for each contact)", key, length, row.size()));
+    columns.col(j) = Eigen::Map<const Eigen::VectorXd>(row.data(), std::ssize(row));
+  }
+  if (!columns.allFinite()) refuse(fmt::format("{} (must be finite numbers)", key));
+  return columns;
+}
+
+/// The series at `count` instants.
+Samples series_at(const Eigen::MatrixXd& coefficients, Eigen::Index count) {
+  Samples x(count, coefficients.cols());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    x.row(i) = coefficients.row(0);
+    for (Eigen::Index row = 1; row < coefficients.rows(); ++row) {
+      const Eigen::Index harmonic = (row + 1) / 2;
+      const double angle =
+          2.0 * std::numbers::pi * static_cast<double>(harmonic * i % count) / static_cast<double>(count);
+      x.row(i) += (row % 2 == 1 ? std::cos(angle) : std::sin(angle)) * coefficients.row(row);
+    }
+  }
+  return x;
+}
+
+/// Between the instants by straight lines, at `count` others.
+Eigen::MatrixXd at_phases(const Samples& x, Eigen::Index count) {
+  Eigen::MatrixXd motion(count, x.cols());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index left = i * x.rows() / count;
+    const double share = static_cast<double>(i * x.rows() % count) / static_cast<double>(count);
+    motion.row(i) = (1.0 - share) * x.row(left) + share * x.row((left + 1) % x.rows());
+  }
+  return motion;
+}
+
+OrbitStability stability_of(const std::optional<bool>& stable) {
+  if (!stable) return OrbitStability::unknown;
+  return *stable ? OrbitStability::stable : OrbitStability::unstable;
+}
+
+SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases) {
+  constexpr int kLargestOrder = 1000;
+  if (!(given.omega > 0.0) || !std::isfinite(given.omega))
+    refuse(fmt::format("omega = {} (must be a positive number)", given.omega));
+  if (given.order < 1 || given.order > kLargestOrder)
+    refuse(fmt::format("order = {} (must be in 1..{})", given.order, kLargestOrder));
+  if (given.impacts < 0) refuse(fmt::format("impacts = {} (must be 0 or more)", given.impacts));
+  if (given.x.empty() == given.coefficients.empty() && contacts > 0)
+    refuse(fmt::format("point at {} rad/s (must have either x or coefficients)", given.omega));
+  const Eigen::Index asked = Eigen::Index{phases} * given.order;
+  Samples x;
+  Eigen::MatrixXd motion;
+  if (given.coefficients.empty()) {
+    x = columns_of(given.x, "x", contacts, 2);
+    if (phases > 0) motion = at_phases(x, asked);
+  } else {
+    constexpr Eigen::Index kPerHarmonic = 32, kFewest = 64;
+    const Eigen::MatrixXd series = columns_of(given.coefficients, "coefficients", contacts, 1);
+    if (series.rows() % 2 == 0)
+      refuse(fmt::format("coefficients = {} numbers (must be a_0 and pairs a_h, b_h)", series.rows()));
+    x = series_at(series, std::max(kFewest, kPerHarmonic * (series.rows() / 2)));
+    if (phases > 0) motion = series_at(series, asked);
+  }
+  SolutionPoint point{.parameter = given.omega,
+                      .frequency = given.omega,
+                      .order = given.order,
+                      .motion = std::move(motion),
+                      .impacts = given.impacts,
+                      .stability = stability_of(given.stable)};
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    point.x_max.push_back(x.col(j).maxCoeff());
+    point.amplitude.push_back(0.5 * (x.col(j).maxCoeff() - x.col(j).minCoeff()));
+  }
+  return point;
+}
+
+/// Cuts one branch into the parts that lie in the interval.
+class Clipping {
+ public:
+  Clipping(const ParametrisedScene& scene, int contacts, const CurveLimits& limits)
+      : scene_(scene), contacts_(contacts), limits_(limits) {}
+
+  /// Adds the parts of a branch to the diagram.
+  void add(const ExchangedBranch& given, BranchDiagram& diagram) {
+    Branch part = beginning_of(given, given.began);
+    auto special = given.special.begin();
+    for (std::size_t i = 0; i <= given.points.size(); ++i) {
+      for (; special != given.special.end() &&
+             (std::cmp_less_equal(special->after, i) || i == given.points.size());
+           ++special)
+        add_special(*special, part);
+      if (i == given.points.size()) break;
+      SolutionPoint point = solution_of(given.points[i], contacts_, limits_.phases);
+      if (!inside(point)) {
+        close(std::move(part), "end of the interval", diagram);
+        part = beginning_of(given, "end of the interval");
+      } else if (std::cmp_less(part.points.size(), limits_.max_points)) {
+        part.points.push_back(std::move(point));
+      } else {
+        full_ = true;
+      }
+    }
+    close(std::move(part), full_ ? "limit of points" : given.ended, diagram);
+  }
+
+ private:
+  static Branch beginning_of(const ExchangedBranch& given, const std::string& began) {
+    Branch branch;
+    branch.sequence = given.sequence;
+    branch.began = began;
+    branch.by_steps = given.by_steps;
+    return branch;
+  }
+  /// Ends of the interval are in it to rounding of the text of a file, of orders that the limits allow.
+  [[nodiscard]] bool inside(const SolutionPoint& point) const {
+    constexpr double kRounding = 1e-9;
+    return point.order <= limits_.max_order && point.frequency >= (1.0 - kRounding) * scene_.low() &&
+           point.frequency <= (1.0 + kRounding) * scene_.high();
+  }
+  void add_special(const ExchangedSpecial& given, Branch& part) const {
+    SolutionPoint point = solution_of(given.point, contacts_, limits_.phases);
+    if (inside(point))
+      part.special.push_back(
+          {.kind = given.kind, .point = std::move(point), .text = given.text, .after = part.points.size()});
+  }
+  void close(Branch part, const std::string& ended, BranchDiagram& diagram) const {
+    if (part.points.empty()) return;
+    if (part.points.size() == 1) {
+      diagram.notes.push_back(fmt::format("a point alone at {:.6g} rad/s", part.points.front().frequency));
+      return;
+    }
+    if (std::cmp_greater_equal(diagram.branches.size(), limits_.max_branches)) {
+      diagram.unfinished = fmt::format("more than {} branches", limits_.max_branches);
+      return;
+    }
+    part.ended = ended;
+    if (limits_.take) limits_.take(part);
+    diagram.branches.push_back(std::move(part));
+  }
+
+  const ParametrisedScene& scene_;
+  int contacts_;
+  const CurveLimits& limits_;
+  bool full_ = false;
+};
+
+}  // namespace
+
+nlohmann::ordered_json follow_request(const ParametrisedScene& scene, const CurveLimits& limits) {
+  return {{"parameter", scene.parameter},
+          {"from", scene.from},
+          {"to", scene.to},
+          {"max_order", limits.max_order},
+          {"max_branches", limits.max_branches},
+          {"max_points", limits.max_points},
+          {"phases", limits.phases},
+          {"at", limits.at}};
+}
+
+ExchangedCurve curve_from_json(const nlohmann::ordered_json& json) {
+  ExchangedCurve curve;
+  read_fields(json, curve);
+  if (curve.seconds && !(*curve.seconds >= 0.0))
+    refuse(fmt::format("seconds = {} (must be 0 or more)", *curve.seconds));
+  return curve;
+}
+
+ExchangedBranch branch_from_line(const std::string& line) {
+  ExchangedBranch branch;
+  read_fields(parse_json(line), branch);
+  if (branch.scene.empty()) refuse("scene = missing (must be the name of the scene)");
+  return branch;
+}
+
+BranchDiagram diagram_of(const ExchangedCurve& curve, const ParametrisedScene& scene, int contacts,
+                         const CurveLimits& limits) {
+  BranchDiagram diagram{.branches = {}, .unfinished = curve.unfinished, .notes = curve.notes};
+  for (const ExchangedBranch& branch : curve.branches) Clipping(scene, contacts, limits).add(branch, diagram);
+  return diagram;
+}
+
+}  // namespace signorini
