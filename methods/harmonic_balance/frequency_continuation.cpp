@@ -19,7 +19,7 @@ namespace {
 constexpr double kSearchRatio = 1.1;
 constexpr int kSearchSteps = 32;
 // Of the way from frequency to frequency.
-constexpr PathSteps kSteps{
+constexpr PathSteps kFrequencySteps{
     .first = 1.0 / 16.0, .largest = 1.0 / 16.0, .smallest = 1.0 / 4096.0, .trials = 200};
 
 /// The scene under the same load at another frequency; shares the matrices.
@@ -81,7 +81,7 @@ PathEnd follow(const HarmonicSetup& setup, double from, const Start& budget, Wor
     return point.solved;
   };
   follow_path(
-      kSteps, advance, [&] { return end.share >= 1.0; },
+      kFrequencySteps, advance, [&] { return end.share >= 1.0; },
       [&] { return budget.expired() || is_spent(setup.options.max_iterations, work); });
   return end;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/homotopy.hpp"
 
 namespace signorini {
@@ -15,8 +16,8 @@ constexpr int kStartHarmonics = 20;
 constexpr int kFewestHarmonics = 5;
 constexpr int kStartUnknowns = 800;  // harmonics times contacts: pivots grow with both
 constexpr double kStartFactor = 1.0 / 16.0;
-constexpr double kGrowth = 2.0;  // of the harmonics where Newton follows
-constexpr PathSteps kSteps{.smallest = 1.0 / 32.0, .growth = 32.0, .trials = 20};
+// Of the way to twice the harmonics at the full constant, which each point found is tried from at once.
+constexpr PathSteps kHarmonicSteps{.growth = kInfinity, .trials = 20};
 
 /// lambda with zeros for the harmonics that it lacks.
 Eigen::MatrixXcd extended(const Eigen::MatrixXcd& lambda, int harmonics) {
@@ -52,14 +53,22 @@ ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const
                                       Eigen::MatrixXcd lambda, double tolerance, const Start& budget) {
   const int all = receptance.harmonics();
   ContinuationPoint here = start;
+  ContinuationPoint next = start;
   ExactProjection end;
   int iterations = 0;
-  // A share of the way, in log H and log c, to twice the harmonics at the full constant.
+  // Halfway back in log H and log c.
+  const auto halfway = [&]() -> ContinuationPoint {
+    return {static_cast<int>(std::sqrt(static_cast<double>(here.harmonics) * next.harmonics)),
+            std::sqrt(here.stiffness_factor * next.stiffness_factor)};
+  };
+  // A step that adds no harmonic and stiffens by less than 5 % is the end.
+  const auto stalls = [&] {
+    const ContinuationPoint back = halfway();
+    const bool failed = next.harmonics > here.harmonics || next.stiffness_factor > here.stiffness_factor;
+    return failed && back.harmonics == here.harmonics && back.stiffness_factor < 1.05 * here.stiffness_factor;
+  };
   const auto advance = [&](double step) {
-    const double grown = std::min<double>(all, kGrowth * here.harmonics);
-    const auto harmonics =
-        static_cast<int>(std::lround(here.harmonics * std::pow(grown / here.harmonics, step)));
-    const ContinuationPoint next{harmonics, std::pow(here.stiffness_factor, 1.0 - step)};
+    next = step < 1.0 ? halfway() : ContinuationPoint{std::min(all, 2 * here.harmonics), 1.0};
     const ContactReceptance level = truncated(receptance, next.harmonics);
     const ProjectedLaw law = with_stiffness_factor(law_at(level), next.stiffness_factor);
     ExactProjection exact = project_exactly(
@@ -73,8 +82,8 @@ ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const
     return true;
   };
   const bool reached = follow_path(
-      kSteps, advance, [&] { return here.harmonics == all && here.stiffness_factor == 1.0; },
-      [&] { return budget.expired(); });
+      kHarmonicSteps, advance, [&] { return here.harmonics == all && here.stiffness_factor == 1.0; },
+      [&] { return budget.expired() || stalls(); });
   if (!reached) end = {.lambda = {}};
   end.iterations = iterations;
   return end;

@@ -7,22 +7,22 @@
 #include <optional>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/homotopy.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr double kFirst = 1.0 / 16.0;   // r: contacts last for about four times as long as in the end
-constexpr double kSofter = 1.0 / 16.0;  // from one attempt at a first solution to the next
+constexpr double kFirst = 1.0 / 16.0;  // r: contacts last for about four times as long as in the end
 constexpr double kSoftest = 1e-8;
 constexpr double kStiffest = 10.0;  // behind which the stops' own law is tried, first
 constexpr double kNoSpring = 1e6;
-constexpr double kRigid = std::numeric_limits<double>::infinity();  // r of no spring
-constexpr double kLargest = 16.0;                                   // from one r to the next
-constexpr PathSteps kSteps{.first = 1.0, .largest = 4.0, .smallest = 0.07, .growth = 1.5};  // in log2 r
-constexpr double kNear = 1e-6;  // tolerance of all but the last
-constexpr int kSteps = 15;
+constexpr double kLargest = 16.0;  // from one r to the next
+constexpr PathSteps kStiffnessSteps{
+    .first = 1.0, .largest = 4.0, .smallest = 0.07, .growth = 1.5};  // in log2 r
+constexpr double kNear = 1e-6;                                       // tolerance of all but the last
+constexpr int kNewtonStepsOnSprings = 15;
 
 /// The solves of one continuation.
 class Springs {
@@ -35,10 +35,10 @@ class Springs {
 
   /// The solution with springs of r c, from the last one; none where Newton's method does not find it.
   std::optional<ExactProjection> solve(double ratio) {
-    const bool own = ratio == kRigid;
+    const bool own = ratio == kInfinity;
     const ProjectedLaw law = own ? equations_.law : on_springs(equations_.law, ratio);
     ExactProjectionSettings settings = settings_;
-    settings.most = kSteps;
+    settings.most = kNewtonStepsOnSprings;
     if (!own) settings.tolerance = std::max(kNear, settings_.tolerance);
     ExactProjection solved = project_exactly({equations_.receptance, equations_.gap, law}, lambda_, settings);
     iterations_ += solved.iterations;
@@ -58,7 +58,7 @@ class Springs {
 
 /// r of the first solution; 0 where there is none.
 double soften(Springs& springs) {
-  for (double ratio = kFirst; ratio >= kSoftest && !springs.expired(); ratio *= kSofter) {
+  for (double ratio = kFirst; ratio >= kSoftest && !springs.expired(); ratio *= kFirst) {
     if (springs.solve(ratio)) return ratio;
   }
   return 0.0;
@@ -75,7 +75,7 @@ ExactProjection continue_in_stiffness(const ProjectedEquations& equations, Eigen
   const auto advance = [&](double step) {
     const double next = solved * std::exp2(step);
     if (next > stiffest) {
-      rigid = springs.solve(kRigid);
+      rigid = springs.solve(kInfinity);
       if (rigid || stiffest >= kNoSpring) return rigid.has_value();
       stiffest *= kLargest;
     }
@@ -85,8 +85,8 @@ ExactProjection continue_in_stiffness(const ProjectedEquations& equations, Eigen
   };
   if (solved > 0.0)
     follow_path(
-        kSteps, advance, [&] { return rigid.has_value(); }, [&] { return springs.expired(); });
-  if (!rigid) rigid = ExactProjection{.residual = std::numeric_limits<double>::infinity(), .lambda = {}};
+        kStiffnessSteps, advance, [&] { return rigid.has_value(); }, [&] { return springs.expired(); });
+  if (!rigid) rigid = ExactProjection{.residual = kInfinity, .lambda = {}};
   rigid->iterations = springs.iterations();
   return *std::move(rigid);
 }
