@@ -17,7 +17,6 @@ namespace signorini {
 
 namespace {
 
-constexpr int kNewtonSteps = 100;
 // Cold, Newton converges at once or creeps (of the one-mass population it solves no scene): the
 // homotopy takes over early.
 constexpr int kColdSteps = 5;
@@ -34,8 +33,8 @@ class AftGridSolver final : public GridSolver {
     ProjectedResidual residual(equations, samples, settings_.tolerance, {}, ContactIntegral::sampled);
     const bool cold = previous.size() == 0 && !start.guess;
     NewtonKrylovResult newton =
-        newton_from(first_force(equations, previous, start), cold && homotopy_ ? kColdSteps : kNewtonSteps,
-                    residual, start, work);
+        newton_from(first_force(equations, previous, start),
+                    cold && homotopy_ ? kColdSteps : DampedNewtonLimits{}.max_steps, residual, start, work);
     const auto converged = [&] { return newton.end == NewtonEnd::solved; };
     GridSolution solution{.message = converged() ? "Newton-Krylov" : "Newton-Krylov found no descent"};
     if (!converged() && homotopy_ && !is_spent(settings_.max_iterations, work))
@@ -85,7 +84,7 @@ class AftGridSolver final : public GridSolver {
     if (path.status != LcpStatus::solved) return failed;
     const Eigen::MatrixXcd force =
         force_coefficients(law, path.z, residual.samples(), receptance.harmonics());
-    NewtonKrylovResult newton = newton_from(force, kNewtonSteps, residual, start, work);
+    NewtonKrylovResult newton = newton_from(force, DampedNewtonLimits{}.max_steps, residual, start, work);
     if (!newton.condition) newton.condition = path.condition;  // no step was needed
     message = "gap homotopy and Newton-Krylov";
     return newton;

@@ -17,13 +17,10 @@ namespace signorini {
 
 namespace {
 
-constexpr double kPassedStop = 1e-6;      // of the motion, X beyond a stop between impacts
-constexpr int kLongestOnGrid = 3;         // nodes that an impact may press on a grid of hat functions
-constexpr double kLongestInSeries = 2.5;  // over H
-constexpr int kSeedsPerHarmonic = 16;     // instants at which a series is looked at
+constexpr double kPassedStop = 1e-6;  // of the motion, X beyond a stop between impacts
+constexpr int kLongestOnGrid = 3;     // nodes that an impact may press on a grid of hat functions
 constexpr int kFewestSeeds = 1024;
 constexpr double kNoForce = 1e-9;  // of the largest force: no contact
-constexpr int kClosureSteps = 40;
 
 /// How the phases of a sampled force are told.
 struct SeedSampling {
@@ -35,9 +32,9 @@ struct SeedSampling {
 SeedSampling seed_sampling(const Trajectory& motion) {
   if (const auto nodes = motion.nodes()) return {*nodes, kLongestOnGrid, 2};
   if (!motion.impulses().empty()) return {kFewestSeeds, 0, 1};
-  const int harmonics = std::max(1, motion.bandwidth().value_or(kFewestSeeds / kSeedsPerHarmonic));
-  return {kSeedsPerHarmonic * harmonics, static_cast<int>(kLongestInSeries * kSeedsPerHarmonic),
-          kSeedsPerHarmonic};
+  const int harmonics = std::max(1, motion.bandwidth().value_or(kFewestSeeds / kResolvingSamples));
+  return {kResolvingSamples * harmonics, static_cast<int>(kLongestContact * kResolvingSamples),
+          kResolvingSamples};
 }
 
 void append(int contact, double turn, double force, std::vector<int>& contacts,
@@ -137,7 +134,7 @@ class ImpactClosing {
       const ImpactClosure closure = close_impacts(
           {setup_.receptance, setup_.gap, law}, impacts,
           {.samples = samples, .tolerance = setup_.options.tolerance, .deadline = start_.deadline},
-          steps_left(kClosureSteps));
+          steps_left(ExactProjectionSettings{}.most));
       count_iterations(closure.steps, work_);
       if (closure.converged) return answer(law, closure, impacts.count(), how);
       failed(closure.failure);

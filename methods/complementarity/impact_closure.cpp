@@ -23,8 +23,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kLongestContact = 2.5;  // over H, share of the period
-constexpr double kStopMoved = 3.0;       // over H: how far from its impact a stop that approaches is moved
+constexpr double kStopMoved = 3.0;  // over H: how far from its impact a stop that approaches is moved
 
 /// One impact's contact in the series.
 struct ClosedContact {

@@ -13,6 +13,9 @@
 
 namespace signorini {
 
+/// Over H: the longest share of the period that the contact of an impact takes in a series.
+inline constexpr double kLongestContact = 2.5;
+
 /// The end of a closure.
 struct ImpactClosure {
   bool converged = false;         ///< the series has one contact for each impact, and no other

@@ -32,10 +32,10 @@ struct BernoulliSums {
 };
 
 BernoulliSums bernoulli_sums(double theta) {
-  constexpr double kPi = std::numbers::pi;
-  const double slope = theta == 0.0 ? 0.0 : (theta - kPi) / 2.0;
-  const double value = kPi * kPi / 6.0 - kPi * theta / 2.0 + theta * theta / 4.0;
-  const double odd = kPi * kPi * theta / 6.0 - kPi * theta * theta / 4.0 + theta * theta * theta / 12.0;
+  using std::numbers::pi;
+  const double slope = theta == 0.0 ? 0.0 : (theta - pi) / 2.0;
+  const double value = pi * pi / 6.0 - pi * theta / 2.0 + theta * theta / 4.0;
+  const double odd = pi * pi * theta / 6.0 - pi * theta * theta / 4.0 + theta * theta * theta / 12.0;
   return {{value, slope, 0.5}, {odd, value, slope}};
 }
 

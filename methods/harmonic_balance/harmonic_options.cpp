@@ -19,8 +19,7 @@ Quadrature HarmonicOptions::contact_integral() const {
 }
 
 std::optional<int> HarmonicOptions::fixed_samples(int harmonics) const {
-  constexpr int kPlain = 32;
-  return plain ? samples.value_or(kPlain * harmonics) : samples;
+  return plain ? samples.value_or(kSampledPerHarmonic * harmonics) : samples;
 }
 
 std::optional<double> HarmonicOptions::lipschitz_constant(const std::optional<double>& asked,

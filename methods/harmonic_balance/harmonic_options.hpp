@@ -38,6 +38,10 @@ inline constexpr int kDefaultHarmonics = 20;
 /// size at 20 of them is off by a thirtieth.
 inline constexpr int kMostHarmonics = 640;
 
+/// Samples per harmonic where the contact integral is their sum. On so many the path of pivots met no ray on
+/// a population with damping ratios down to 0.0016.
+inline constexpr int kSampledPerHarmonic = 32;
+
 /// What options of several methods mean.
 inline constexpr std::string_view kHarmonicsText =
     "highest harmonic H kept, 1..100000; auto: 20 or what the load needs, and twice as many, up to 640, "

@@ -18,16 +18,14 @@ namespace signorini {
 
 namespace {
 
-// Samples per harmonic. On 32 the path of pivots met no ray on a population with damping ratios down to
-// 0.0016 (docs/theory.md). Where the exact contact integral follows, kCoarseSampling will do to begin with:
-// it decides the path, not the answer.
-constexpr int kSampled = 32;
+// Samples per harmonic of the finest grid. Where the exact contact integral follows, kCoarseSampling will do
+// to begin with: it decides the path, not the answer.
 constexpr int kFinest = 128;
 // A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
 constexpr double kEnergyIdentity = 1e-3;
 
 int coarsest_grid(int harmonics, Quadrature quadrature) {
-  const int per_harmonic = quadrature == Quadrature::exact ? kCoarseSampling : kSampled;
+  const int per_harmonic = quadrature == Quadrature::exact ? kCoarseSampling : kSampledPerHarmonic;
   return std::max(kCoarseSampling * kFewestOnGrid, per_harmonic * harmonics);
 }
 
@@ -129,7 +127,8 @@ Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& wo
     if (grid.lambda.allFinite())
       solution.trajectory = std::make_shared<FourierTrajectory>(std::move(refined.data));
     // On few samples the identity may hold by accident.
-    const bool settled = grid.solved && (refined.exact || (samples >= kSampled * harmonics && identity));
+    const bool settled =
+        grid.solved && (refined.exact || (samples >= kSampledPerHarmonic * harmonics && identity));
     if (!in_limit || !grid.finer_may_help || settled || 2 * samples > finest) return solution;
     if (grid.solved) near = grid.lambda;
   }

@@ -8,6 +8,7 @@
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/linear_flow/modes/harmonic_integrals.hpp"
 #include "methods/linear_flow/modes/waves.hpp"
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "problems/linear_algebra/products.hpp"
 
@@ -106,7 +107,6 @@ void ModalFlow::Arc::start(double time, const State& state) {
 }
 
 std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, int order) const {
-  constexpr double kForever = std::numeric_limits<double>::infinity();
   std::vector<FadingRate> terms;
   for (Eigen::Index k = 0; k < amplitude_.size(); ++k) {
     double share = largest_share(contribution_, k, flow_.weight()[k] * amplitude_[k],
@@ -117,9 +117,9 @@ std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, 
     if (fades && share <= floor) continue;
     // share e^{Re mu (t - begin)} = floor
     terms.push_back(
-        {.rate = std::abs(mu), .until = fades ? begin_ + std::log(share / floor) / -mu.real() : kForever});
+        {.rate = std::abs(mu), .until = fades ? begin_ + std::log(share / floor) / -mu.real() : kInfinity});
   }
-  terms.push_back({.rate = fastest_wave(floor, step, order), .until = kForever});
+  terms.push_back({.rate = fastest_wave(floor, step, order), .until = kInfinity});
   std::ranges::sort(terms, std::greater(), &FadingRate::rate);
   return terms;
 }

@@ -10,14 +10,13 @@
 #include <utility>
 
 #include "methods/periodic_motion/periodic_motion.hpp"
+#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // A smaller order whose residual is within this factor of an accepted one cannot be told from noise.
 constexpr double kClear = 1e3;
@@ -111,7 +110,7 @@ class March {
   // infinite where it is no longer, or not yet, remembered.
   [[nodiscard]] double repeat(int order, std::size_t ago = 0) const {
     const std::size_t back = ago + static_cast<std::size_t>(order);
-    if (past_.size() <= back) return kInfinite;
+    if (past_.size() <= back) return kInfinity;
     return (past_[past_.size() - 1 - ago] - past_[past_.size() - 1 - back]).lpNorm<Eigen::Infinity>();
   }
 
@@ -183,7 +182,7 @@ class March {
     if (past_.back().size() > kLargest) return std::nullopt;
     const NewtonLimits newton{
         .accepted = options_.accepted(), .max_iterations = 8, .max_halvings = 0, .largest_step = 1.0};
-    double tried = kInfinite;
+    double tried = kInfinity;
     int tries = 0;
     for (int order = 1; order <= options_.max_order && tries < kTries; ++order) {
       const double distance = repeat(order);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
@@ -189,15 +190,14 @@ Eigen::VectorXcd PencilModes::load_of(const HarmonicPencil& pencil) const {
 }
 
 PencilModes::Error PencilModes::relative_error(const HarmonicPencil& pencil) const {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const std::optional<Eigen::VectorXcd> found = inverse_of(pencil);
-  if (!found) return {kInfinite, kInfinite};
+  if (!found) return {kInfinity, kInfinity};
   const Eigen::VectorXcd& inverse = *found;
   const double nearest = distance_from_singular(pencil, theta_), turn = std::abs(pencil.mu);
   Error error;
   // What is not a number bounds nothing.
   const auto take_larger = [](double& bound, double value) {
-    bound = std::isnan(value) ? kInfinite : std::max(bound, value);
+    bound = std::isnan(value) ? kInfinity : std::max(bound, value);
   };
   const auto add = [&](double outside, double left_out, double scale) {
     if (scale == 0.0) return;

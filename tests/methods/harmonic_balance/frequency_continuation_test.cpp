@@ -85,7 +85,7 @@ TEST_P(FrequencyContinuation, LeadsToASolutionOfThePlainEquationsThatPivotingFin
   EXPECT_GT(lipschitz.work.iterations.value(), 0);
   EXPECT_GT(lipschitz.trajectory->force_coefficients().norm(), 0.0);
   const Solution pivoted =
-      solve<FourierLipschitz>(problem, {.common = cold, .solver = ComplementaritySolver::pivoting});
+      solve<FourierLipschitz>(problem, {.common = cold, .c = 1.0, .solver = ComplementaritySolver::pivoting});
   ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
   EXPECT_LE(relative_distance(*pivoted.trajectory, *lipschitz.trajectory), 1e-8);
 }
