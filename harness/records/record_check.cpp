@@ -51,6 +51,15 @@ void require_plain_below(const nlohmann::ordered_json& json, int depth) {
   }
 }
 
+/// Lists of one length, which figures go through together.
+void require_drawable(const RecordedResponse& response) {
+  for (const DrawnBranch& branch : response.branches) {
+    if (branch.amplitude.size() != branch.frequency.size() || branch.stable.size() != branch.frequency.size())
+      refuse("branches", fmt::format("{} frequencies", branch.frequency.size()),
+             "must have as many amplitudes and stabilities");
+  }
+}
+
 /// Names, counts and numbers as a run gives them.
 void require_plausible(const Record& record) {
   if (!is_scene_name(record.scene)) refuse("scene", record.scene, "must be the name of a scene");
@@ -60,6 +69,7 @@ void require_plausible(const Record& record) {
   if (record.seconds) require_no_less_than_zero("seconds", *record.seconds);
   if (record.period && !(*record.period > 0.0))
     refuse("period", fmt::format("{}", *record.period), "must be positive");
+  if (record.response) require_drawable(*record.response);
   if (!record.family) return;
   const FamilyLevel& family = *record.family;
   if (!is_lower_kebab_case(family.family))

@@ -63,13 +63,9 @@ void add_responses(const Suite& suite, const SceneFilter& filter, const Narrowin
     const Scene& scene = plan.scenes[place];
     ResponseQuestion question{.from = response.from, .to = response.to, .orders = response.orders};
     plan.cases.push_back(exact_case(scene, place, question));
-    std::vector<std::string> ids;
     for (const auto& [choice, way] : ways) {
       question.way = way;
-      Case one = response_case(scene, place, choice, question);
-      if (std::ranges::find(ids, one.id) != ids.end()) continue;  // listed under `by_steps` too
-      ids.push_back(one.id);
-      plan.cases.push_back(std::move(one));
+      plan.cases.push_back(response_case(scene, place, choice, question));
     }
   }
 }

@@ -146,9 +146,7 @@ class ResponseTask final : public CaseTask {
   ResponseTask(Asked asked, const ExactResponse& exact) : asked_(asked), exact_(exact) {}
 
   [[nodiscard]] double seconds() const override {  // the last solve or step may begin just before the end
-    constexpr double kLastStep = 0.2;              // of the time limit
-    const double limit = enforced((1.0 + kLastStep) * asked_.limits.timeout);
-    return by_steps() ? limit + kQuickSeconds : limit;
+    return enforced((1.0 + kShareOfSolve) * asked_.limits.timeout) + kQuickSeconds;
   }
 
   void run(Record record, const std::function<void(const Record&)>& stage_done) const override {

@@ -56,7 +56,7 @@ def plot_response(response: Response, contact: int, axes, **style):
     """Amplitude over frequency: solid where stable or not known, dashed where unstable, a gap where there is no answer."""
     require_contact(contact, min((branch.amplitude.shape[1] for branch in response.branches), default=0))
     axes = axes or library("matplotlib.pyplot", "plot").figure(layout="constrained").subplots()
-    style = {"label": response.method, **style}
+    style = {"label": ", ".join(filter(None, [response.method, response.other_law])), **style}
     for branch in response.branches:
         amplitude = branch.amplitude[:, contact]
         for mask, line in ((~branch.unstable, "-"), (branch.unstable, "--")):

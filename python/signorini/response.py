@@ -82,6 +82,7 @@ class Response:
     branches: of `Scene.branches` those found, of `Scene.sweep` one for each way that the frequency went.
     points: of each branch, as the program gives them, messages included.
     notes: what was met and not followed.
+    other_law: the law that the method represents where it is not the scene's, as "e = 1"; else empty.
     """
 
     scene: Scene = field(repr=False)
@@ -89,11 +90,12 @@ class Response:
     branches: tuple[Branch, ...]
     points: Sequence[Sequence[Mapping]] = field(repr=False)
     notes: Sequence[str] = ()
+    other_law: str = ""
 
     @classmethod
     def from_steps(cls, scene: Scene, method: str, steps: Sequence[Mapping]) -> Response:
         ways = [[step for step in steps if step["way"] == way] for way in dict.fromkeys(step["way"] for step in steps)]
-        return cls(scene, method, tuple(map(Branch.of, ways)), ways)
+        return cls(scene, method, tuple(map(Branch.of, ways)), ways, other_law=next((step.get("other_law", "") for step in steps), ""))
 
     @classmethod
     def from_branches(cls, scene: Scene, method: str, answer: Mapping) -> Response:

@@ -30,7 +30,8 @@ class Responses(PageCase):
         # Every special point of the record is a mark that says what it is.
         marks = self.ask(f"[...{drawn('response')}.querySelectorAll('.orbit .mark')].map((m) => m.getAttribute('aria-label'))")
         kept = [json.loads(line) for line in (self.pages[0].parent / "records.jsonl").read_text().splitlines()]
-        exact = next(one["response"] for one in kept if one["case"] == "sdof-stop/exact response")
+        scene = self.ask(f"{drawn('response')}.dataset.of")
+        exact = next(one["response"] for one in kept if one["case"] == f"{scene}/exact response")
         self.assertEqual([mark.split(",")[1].split(":")[0].strip() for mark in marks], [point["kind"] for point in exact["located"]])
         self.assertTrue(self.ask(f"{drawn('response')}.querySelectorAll('.kinds span').length") >= len(set(p["kind"] for p in exact["located"])))
 
@@ -75,7 +76,8 @@ class Responses(PageCase):
         self.browser.click("document.querySelector('.beside td a[href^=\"#record-\"]')")
         self.browser.wait("document.getElementById('record').open")
         name = self.ask("document.querySelector('.beside tbody th a').textContent")
-        self.assertEqual(self.ask("document.getElementById('record-title').textContent"), f"sdof-stop/{name} by arc length")
+        scene = self.ask(f"{drawn('response')}.dataset.of")
+        self.assertEqual(self.ask("document.getElementById('record-title').textContent"), f"{scene}/{name} by arc length")
         self.browser.press("Escape")
 
     def test_it_is_accessible_in_light_and_dark_wide_and_on_a_phone(self):

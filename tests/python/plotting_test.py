@@ -72,6 +72,11 @@ class Figures(support.TemporaryFolder):
         self.assertEqual({line.get_color() for line in axes.get_lines()}, {"C2"})
         self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], ["exact-orbit"])
 
+    def test_of_a_sweep_name_the_law_of_a_method_where_the_scene_has_another(self):
+        steps = [{"frequency": w, "way": "up", "status": "converged", "x_max": [1.0], "amplitude": [1.0], "other_law": "e = 1"} for w in (1.0, 2.0)]
+        axes = Response.from_steps(None, "hat-lcp", steps).plot()
+        self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], ["hat-lcp, e = 1"])
+
     def test_of_branches_mark_folds_beside_the_points_around_them(self):
         points = [{"omega": w, "amplitude": [a], "x_max": [a], "stable": a < 2.5} for w, a in ((1.0, 1.0), (2.0, 2.0), (1.8, 3.0))]
         fold = {"kind": "fold", "omega": 2.1, "after": 2, "multipliers": [[1.0, 0.0]]}

@@ -164,10 +164,9 @@ std::string counts_line(const Evaluation& evaluation) {
 std::string screen_report(const Evaluation& evaluation, const ScreenContext& context) {
   ScreenLines lines = opening_lines(evaluation, context);
   ScreenLines closing = closing_lines(evaluation, context);
-  const std::size_t taken = lines.size() + closing.size();
-  const std::size_t room = kScreenLines - std::min(kScreenLines, taken);
-  if (!evaluation.results().empty()) append(lines, group_lines(evaluation, room));
-  append(lines, response_lines(evaluation, room));
+  const auto room = [&] { return kScreenLines - std::min(kScreenLines, lines.size() + closing.size()); };
+  if (!evaluation.results().empty()) append(lines, group_lines(evaluation, room()));
+  append(lines, response_lines(evaluation, room()));
   append(lines, std::move(closing));
   std::string text;
   for (const ScreenLine& line : lines) text += painted(line, context.colour);

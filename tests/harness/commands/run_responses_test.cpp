@@ -43,6 +43,7 @@ from = 2.3
 to = 2.6
 [limits]
 timeout = 20.0
+repetitions = 1
 )";
 
 /// What does not depend on the clock.
@@ -92,10 +93,10 @@ TEST_F(RunResponses, MeasuresReportsAndResumes) {
 }
 
 TEST_F(RunResponses, GiveTheSameInShardsAndSideBySideAsInOne) {
-  ASSERT_EQ(run("--repetitions 1 --out " + at("whole").string()).code, 0);
+  ASSERT_EQ(run("--out " + at("whole").string()).code, 0);
   for (const char* shard : {"1/2", "2/2"}) {
-    const Outcome part = run(fmt::format("--repetitions 1 --shard {} --out {}", shard,
-                                         at(std::string("part-") + shard[0]).string()));
+    const Outcome part =
+        run(fmt::format("--shard {} --out {}", shard, at(std::string("part-") + shard[0]).string()));
     ASSERT_EQ(part.code, 0) << part.err;
   }
   const Outcome merged = test::run_program(
@@ -104,7 +105,7 @@ TEST_F(RunResponses, GiveTheSameInShardsAndSideBySideAsInOne) {
   const auto whole = answers_of(at("whole"));
   EXPECT_EQ(whole.size(), 8U);
   EXPECT_EQ(answers_of(at("all")), whole);
-  ASSERT_EQ(run("--repetitions 1 --jobs 2 --out " + at("beside").string()).code, 0);
+  ASSERT_EQ(run("--jobs 2 --out " + at("beside").string()).code, 0);
   EXPECT_EQ(answers_of(at("beside")), whole);
   EXPECT_EQ(test::run_program(fmt::format("compare {} {}", at("whole").string(), at("all").string())).code,
             0);
@@ -148,7 +149,7 @@ TEST_F(RunResponses, PrintTheirPlan) {
 }
 
 TEST_F(RunResponses, FindADifferenceWhereAMethodFindsLess) {
-  const std::string options = "--scenes sdof-stop --methods exact-orbit --repetitions 1 --out ";
+  const std::string options = "--scenes sdof-stop --methods exact-orbit --out ";
   ASSERT_EQ(test::run_program("run " + suite_ + " " + options + at("a").string()).code, 0);
   EXPECT_EQ(test::run_program("verify " + at("a").string()).code, 0);
   std::string lines = read_file(at("a") / "records.jsonl"), changed;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/records/record_json.hpp"
+#include "tests/harness/responses/sample_responses.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini::record_check_test {
@@ -28,6 +29,14 @@ TEST(RecordCheck, TakesWhatRunWrites) {
   EXPECT_EQ(complaint([](Json&) {}), "");
   EXPECT_EQ(complaint([](Json& json) { json["scene"] = "grazing-e08@1e-4"; }), "");
   EXPECT_EQ(complaint([](Json& json) { json["message"] = "‖x‖ = 3 µm; it's \"so\" & <b>"; }), "");
+}
+
+TEST(RecordCheck, RefusesBranchesThatCannotBeDrawn) {
+  Record record = test::exact_response("s");
+  record.scene_sha256 = "h";
+  EXPECT_NO_THROW(checked_record(to_json(record)));
+  record.response->branches[0].stable.pop_back();
+  EXPECT_THROW(checked_record(to_json(record)), BadRecord);
 }
 
 TEST(RecordCheck, RefusesNamesThatLeadElsewhere) {

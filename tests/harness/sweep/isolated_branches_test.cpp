@@ -8,23 +8,27 @@
 #include "harness/failure.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "methods/curve.hpp"
-#include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini::isolated_branches_test {
 namespace {
 
-/// A method that hands over one branch, then ends its process.
+/// A method that hands over one branch, then ends its process; or does not apply.
 class LateFailure final : public Method, public CurveMethod {
  public:
+  explicit LateFailure(bool applies) : applies_(applies) {}
   [[nodiscard]] std::vector<OptionEcho> options() const override { return {}; }
-  [[nodiscard]] Support supports(const Problem& /*problem*/) const override { return {.ok = true}; }
+  [[nodiscard]] Support supports(const Problem& /*problem*/) const override {
+    return {.ok = applies_, .reason = applies_ ? "" : "it never does"};
+  }
   [[nodiscard]] RepresentedLaw law(const Problem& /*problem*/) const override { return Restitution{1.0}; }
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& /*problem*/) const override {
     throw std::runtime_error("no single solves");
   }
   [[nodiscard]] const CurveMethod* curve() const override { return this; }
-  [[nodiscard]] Support follows(const ParametrisedScene& /*scene*/) const override { return {.ok = true}; }
+  [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
+    return supports(scene.at(scene.from));
+  }
   [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
                                      const CurveLimits& limits) const override {
     Branch branch{.began = "here", .ended = "there"};
@@ -34,7 +38,17 @@ class LateFailure final : public Method, public CurveMethod {
     std::raise(SIGSEGV);
     return {};
   }
+
+ private:
+  bool applies_;
 };
+
+MethodEntry late_failure(bool applies) {
+  MethodEntry entry;
+  entry.name = "late-failure";
+  entry.make = [applies](std::span<const OptionSetting>) { return std::make_unique<LateFailure>(applies); };
+  return entry;
+}
 
 ParametrisedScene scene_of(double e = 1.0) { return over_frequency(test::one_mass(0.2, e), 2.3, 2.6); }
 
@@ -54,9 +68,7 @@ TEST(IsolatedBranches, AreThoseOfTheMethod) {
 }
 
 TEST(IsolatedBranches, OfAMethodThatCrashesAreThoseThatHadArrived) {
-  MethodEntry entry;
-  entry.name = "late-failure";
-  entry.make = [](std::span<const OptionSetting>) { return std::make_unique<LateFailure>(); };
+  const MethodEntry entry = late_failure(true);
   const IsolatedBranches found = isolated_branches(scene_of(), {&entry}, {}).value();
   EXPECT_EQ(found.diagram.branches.size(), 1U);
   EXPECT_TRUE(found.failure.starts_with("late-failure: signal 11")) << found.failure;
@@ -65,11 +77,8 @@ TEST(IsolatedBranches, OfAMethodThatCrashesAreThoseThatHadArrived) {
 
 TEST(IsolatedBranches, AreNoneWithoutACurveAndRefusedWhereTheMethodDoesNotApply) {
   EXPECT_FALSE(isolated_branches(scene_of(), {&find_method("event-driven")}, {}).has_value());
-  const MethodChoice refuses{&find_method("exact-orbit")};
-  EXPECT_THROW(
-      static_cast<void>(isolated_branches(
-          over_frequency(read_scene(find_scene("sdof-contact-free")).problem, 2.3, 2.6), refuses, {})),
-      UsageError);
+  const MethodEntry entry = late_failure(false);
+  EXPECT_THROW(static_cast<void>(isolated_branches(scene_of(), {&entry}, {})), UsageError);
 }
 
 TEST(LawRemarkOf, NamesALawThatIsNotTheScenes) {
