@@ -138,17 +138,20 @@ class Scene:
             answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
         return Response.from_steps(self, method_name(method), answer)
 
-    def branches(self, start: float, stop: float, *, orders: int = 2, most: int = 40, search: int = 0, timeout: float = 60.0) -> Response:
-        """Branches of exact orbits between two frequencies [rad/s], by arc length: through folds, with their unstable parts.
+    def branches(self, start: float, stop: float, method: Method = "exact-orbit", *, orders: int = 2, most: int = 40, search: int = 0,
+                 timeout: float = 60.0, **options: Option) -> Response:
+        """Branches between two frequencies [rad/s] by arc length, of exact orbits or of a method that follows its own curve.
 
         orders: longest period, in periods of the load.  most: branches in all.  timeout: wall time of all of them [s].
         search: begin also at all orbits that a search finds at so many frequencies, for isolated branches.
         What is followed, and what is not: docs/responses.md. Raises BadInput for scenes of more than 300 coordinates.
         """
-        words = ["sweep", self._source, "--methods", "exact-orbit", "--from", repr(float(start)), "--to", repr(float(stop)),
-                 "--max-order", str(orders), "--max-branches", str(most), "--search", str(search), "--total-time", str(timeout), "--format", "json"]
-        answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
-        return Response.from_branches(self, "exact-orbit", answer)
+        with tempfile.TemporaryDirectory(prefix="signorini-") as folder:
+            words = ["sweep", self._source, *method_words(method, options, folder, "--methods"), "--from", repr(float(start)),
+                     "--to", repr(float(stop)), "--max-order", str(orders), "--max-branches", str(most), "--search", str(search),
+                     "--total-time", str(timeout), "--format", "json"]
+            answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
+        return Response.from_branches(self, method_name(method), answer)
 
     def __repr__(self) -> str:
         return f"Scene({self._source!r})"
@@ -158,9 +161,9 @@ def method_name(method: Method) -> str:
     return method.name if isinstance(method, PythonMethod) else method
 
 
-def method_words(method: Method, options: Mapping[str, Option], folder: str) -> list[str]:
-    """--method, --plugin and --set of a method with its options; the description of a Python method goes into the folder."""
-    words = ["--method", method_name(method)]
+def method_words(method: Method, options: Mapping[str, Option], folder: str, flag: str = "--method") -> list[str]:
+    """--method (or another flag), --plugin and --set of a method with its options; the description of a Python method goes into the folder."""
+    words = [flag, method_name(method)]
     if isinstance(method, PythonMethod):
         words += ["--plugin", str(method.describe(folder))]
     for key, value in options.items():

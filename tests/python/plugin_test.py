@@ -17,7 +17,7 @@ from signorini import BadInput, Motion, NotConverged, Option, Scene, SignoriniEr
 LINEAR = textwrap.dedent('''
     """The linear response, for tests."""
     import numpy as np
-    from signorini import Motion, NotConverged, Option, method
+    from signorini import Curve, Motion, NotConverged, Option, Point, method
     from neighbour import SAMPLES
 
 
@@ -41,6 +41,17 @@ LINEAR = textwrap.dedent('''
             raise NotConverged("a stop is touched")
         return Motion(x, velocity, np.zeros_like(x), residual=0.0, work={"iterations": harmonics},
                       message="guessed" if problem.start is not None else "cold")
+
+
+    @my_linear.follow
+    def linear_curve(problem, interval, harmonics=4, careful=True):
+        points = []
+        for frequency in np.linspace(interval.start, interval.stop, 5):
+            motion = my_linear(problem.at(frequency), harmonics=harmonics, careful=False)
+            points.append(Point(frequency, x=motion.x, stable=True))
+        yield Curve(points, kind="linear", ended="enough")
+        if careful:
+            raise NotConverged("nothing more")
 
 
     @method(ladder="", represents={"restitution": 1.0}, title="It breaks")
@@ -112,6 +123,27 @@ class PythonMethods(support.TemporaryFolder):
     def test_follow_a_frequency(self):
         sweep = self.scene.sweep(0.4, 0.5, 2, self.methods.my_linear, stability=False)
         self.assertEqual((sweep.method, sweep.converged), ("my-linear", True))
+
+    def test_follow_their_own_curve(self):
+        response = self.scene.branches(0.5, 0.4, self.methods.my_linear, harmonics=2)
+        self.assertEqual((response.method, len(response.branches)), ("my-linear[harmonics=2]", 1))
+        self.assertEqual(response.notes, ["nothing more"])
+        branch = response.branches[0]
+        np.testing.assert_allclose(branch.frequency, np.linspace(0.5, 0.4, 5))
+        self.assertTrue(branch.stable.all())
+        for frequency, amplitude in zip(branch.frequency, branch.amplitude[:, 0]):
+            here = self.methods.my_linear(self.scene.problem.at(frequency), harmonics=2)
+            self.assertAlmostEqual(amplitude, np.ptp(here.x) / 2, delta=1e-12)
+
+    def test_follow_with_options_of_their_own_alone(self):
+        with self.assertRaisesRegex(SignoriniError, "colour of wrong .must be options of the method"):
+            @self.methods.ragged.follow
+            def wrong(problem, interval, colour=1):
+                return []
+
+    def test_without_a_curve_are_not_asked_for_one(self):
+        self.assertNotIn("curves", self.methods.broken.toml(self.folder / "linear_methods.py", beside=True))
+        self.assertIn("curves = true", self.methods.my_linear.toml(self.folder / "linear_methods.py", beside=True))
 
     def test_are_described_beside_their_file_for_the_command_line(self):
         description = self.methods.my_linear.describe()
