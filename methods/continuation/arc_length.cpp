@@ -144,19 +144,25 @@ double next_step(double length, int iterations, double turn, double largest) {
   return std::min(length * factor, largest);
 }
 
-std::optional<double> first_passed(const std::vector<double>& values, double begin, double end) {
+std::optional<StepTarget> first_target(const std::vector<double>& values, double low, double high,
+                                       double begin, double end) {
   constexpr double kAt = 1e-12;
-  std::optional<double> first;
+  std::optional<StepTarget> first;
+  if (end < low || end > high) first = {.value = std::clamp(end, low, high), .leaves = true};
   for (const double value : values) {
     const bool passed = (begin - value) * (end - value) < 0.0 && std::abs(begin - value) > kAt;
-    if (passed && (!first || std::abs(begin - value) < std::abs(begin - *first))) first = value;
+    if (passed && (!first || std::abs(begin - value) < std::abs(begin - first->value)))
+      first = {.value = value};
   }
   return first;
 }
 
-std::optional<double> locate(AnyEquations&& equations, const CurveStep& step,
-                             const std::function<std::optional<double>()>& f, std::optional<double> first,
-                             double last) {
+namespace {
+
+// The same of a function that takes the point too.
+std::optional<double> located(AnyEquations& equations, const CurveStep& step,
+                              const std::function<std::optional<double>(const Eigen::VectorXd& x)>& f,
+                              std::optional<double> first, double last) {
   constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
   constexpr int kHalvings = 50, kIterations = 200;
   constexpr double kZero = 2e-15;                                           // of f
@@ -166,7 +172,7 @@ std::optional<double> locate(AnyEquations&& equations, const CurveStep& step,
     const auto point = corrected(std::move(equations), points.at(length), step.tangent, kTight);
     if (!point) return std::nullopt;
     if (first) points.add(length, point->x);  // none while it is not known whether f exists
-    return f();
+    return f(point->x);
   };
   double a = 0.0, b = step.length, fb = last;
   for (int k = 0; !first && k < kHalvings; ++k) {
@@ -203,6 +209,23 @@ std::optional<double> locate(AnyEquations&& equations, const CurveStep& step,
     fb = *fs;
   }
   return value(b) ? std::optional(b) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> locate(AnyEquations&& equations, const CurveStep& step,
+                             const std::function<std::optional<double>()>& f, std::optional<double> first,
+                             double last) {
+  return located(
+      equations, step, [&](const Eigen::VectorXd&) { return f(); }, first, last);
+}
+
+std::optional<double> length_to_parameter(AnyEquations&& equations, const CurveStep& step,
+                                          const Eigen::VectorXd& end, double value) {
+  const Eigen::Index last = step.x.size() - 1;
+  return located(
+      equations, step, [&](const Eigen::VectorXd& x) { return std::optional(x[last] - value); },
+      step.x[last] - value, end[last] - value);
 }
 
 }  // namespace signorini

@@ -153,9 +153,16 @@ Eigen::VectorXd first_tangent(Equations& equations, bool larger) {
 /// \param turn  angle between the tangents at both ends [rad]
 double next_step(double length, int iterations, double turn, double largest);
 
-/// Of several values of the parameter the one that a step passes first; empty where it passes none. One at
-/// which the step begins, to 1e-12, is not passed.
-std::optional<double> first_passed(const std::vector<double>& values, double begin, double end);
+/// A value of the parameter at which a step has to end.
+struct StepTarget {
+  double value = 0.0;
+  bool leaves = false;  ///< it is an end of the interval, which the step leaves
+};
+
+/// What a step from one value of the parameter to another meets first of several values and the ends of an
+/// interval; empty where it meets none. A value at which the step begins, to 1e-12, does not count.
+std::optional<StepTarget> first_target(const std::vector<double>& values, double low, double high,
+                                       double begin, double end);
 
 /// A point of a curve with its tangent, and the step from there that leads to the next one.
 struct CurveStep {
@@ -178,6 +185,17 @@ std::optional<double> locate(Equations& equations, const CurveStep& step, const 
                              std::optional<double> first, double last) {
   return locate(
       EquationsOf(equations), step, [&] { return f(equations); }, first, last);
+}
+
+/// The length of a step up to where the parameter, the last of the unknowns, takes a value.
+/// \param end  of the step, on the other side of the value
+/// \return the length; `equations` are left evaluated there. Empty where it cannot be found.
+std::optional<double> length_to_parameter(AnyEquations&& equations, const CurveStep& step,
+                                          const Eigen::VectorXd& end, double value);
+template <CurveEquations Equations>
+std::optional<double> length_to_parameter(Equations& equations, const CurveStep& step,
+                                          const Eigen::VectorXd& end, double value) {
+  return length_to_parameter(EquationsOf(equations), step, end, value);
 }
 
 }  // namespace signorini

@@ -42,4 +42,24 @@ bool CurvePoints::passed_before(const Eigen::VectorXd& point, double distance,
   return false;
 }
 
+bool FollowedCurves::contain(int periods, const Eigen::VectorXd& x, std::optional<std::size_t> label) const {
+  for (int shift = 0; shift < periods; ++shift) {
+    const Eigen::VectorXd later = begun_later(x, periods, shift);
+    for (const auto& [others, points] : followed_)
+      if (others == periods && points.pass_by(later, rounding_of(later), label)) return true;
+  }
+  return false;
+}
+
+std::string FollowedCurves::meeting(int periods, const CurvePoints& points,
+                                    std::optional<std::size_t> label) const {
+  constexpr std::size_t kLeft = 10;  // points, after which a branch has left the one on which it began
+  for (int shift = 0; shift < periods; ++shift) {
+    const Eigen::VectorXd later = begun_later(points.x.back(), periods, shift);
+    if (points.passed_before(later, rounding_of(later), label)) return "the branch meets itself";
+  }
+  const bool met = points.x.size() > kLeft && contain(periods, points.x.back(), label);
+  return met ? "the branch meets one that was followed before" : "";
+}
+
 }  // namespace signorini

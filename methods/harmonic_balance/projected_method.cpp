@@ -37,13 +37,7 @@ MakeHarmonicSolver ProjectedMethod::solver_of(const Problem& /*problem*/) const 
 
 BranchDiagram FollowedMethod::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
   const Problem problem = scene.at(scene.from);
-  HarmonicOptions one_number = common();
-  one_number.harmonics = common().first_harmonics(problem);
-  const SeriesMethod method{
-      .options = one_number, .law_at = preset(problem).law_at, .prepare = [&](const Problem& solved) {
-        return prepare_with(solved, one_number);
-      }};
-  return series_diagram(scene, method, limits);
+  return series_diagram(scene, {*this, common(), preset(problem).law_at}, limits);
 }
 
 HarmonicMethod by_complementarity(LawAt law, const HarmonicOptions& common, ComplementaritySolver solver) {

@@ -61,7 +61,7 @@ class FollowedMethod : public ProjectedMethod, public CurveMethod {
   [[nodiscard]] Support follows(const ParametrisedScene& scene) const final {
     return follows_frequency(*this, scene);
   }
-  /// Of its equations with the harmonics asked for or the first number (series_diagram).
+  /// Of its equations (series_diagram).
   [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene, const CurveLimits& limits) const final;
 
  protected:

@@ -1,5 +1,7 @@
 #include "methods/hat_lcp/hat_lcp.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "methods/hat_functions/continuation/hat_diagram.hpp"
@@ -68,10 +70,11 @@ BranchDiagram HatLcp::follow(const ParametrisedScene& scene, const CurveLimits& 
   family.restitution = imposed_restitution(problem);
   Options one_grid = options_;
   one_grid.samples = family.samples;
-  const HatLcp method(one_grid);
-  return hat_diagram(
-      family, scene.from, scene.to, [&method](const Problem& scene) { return method.prepare(scene); },
-      limits);
+  BranchDiagram diagram = hat_diagram(family, scene, HatLcp(one_grid), limits);
+  if (!options_.samples && !diagram.branches.empty())
+    diagram.notes.push_back(fmt::format(
+        "its curve stands on {} nodes; a solve goes on to finer grids until two agree", family.samples));
+  return diagram;
 }
 
 }  // namespace signorini

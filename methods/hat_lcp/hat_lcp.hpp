@@ -85,7 +85,7 @@ class HatLcp final : public Method, public CurveMethod {
   [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
     return follows_frequency(*this, scene);
   }
-  /// Of one grid, the one asked for or the first (hat_diagram).
+  /// Of one grid, the one asked for or the first (hat_diagram): points of a curve are as many as its nodes.
   [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
                                      const CurveLimits& limits) const override;
 

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
-#include <deque>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/continuation/method_diagram.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/harmonic_balance/continuation/series_symmetry.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
@@ -23,151 +20,106 @@ namespace {
 /// Unknowns up to which a Jacobian is factorised at each point.
 constexpr Eigen::Index kMostUnknowns = 3000;
 
-class SeriesDiagram {
+class SeriesDiagram final : public MethodDiagram<SeriesStart> {
  public:
-  SeriesDiagram(SeriesFamily family, const SeriesMethod& method, const CurveLimits& limits)
-      : family_(std::move(family)), method_(method), limits_(limits) {}
-
-  BranchDiagram run(double from, double to) {
-    for (const double frequency : {from, to}) add_contact_free(frequency);
-    for (const double frequency : {from, to}) add_answer(frequency);
-    if (starts_.empty() && diagram_.unfinished.empty())
-      diagram_.unfinished = "the method has no answer at either end of the interval";
-    while (!starts_.empty() && diagram_.unfinished.empty()) trace_next();
-    return std::move(diagram_);
-  }
+  SeriesDiagram(const SeriesFamily& family, const CurveLimits& limits)
+      : MethodDiagram(limits), family_(family) {}
 
  private:
-  // The motion without contact forces, which solves the equations where it stays off every stop.
-  void add_contact_free(double frequency) {
+  std::optional<SeriesStart> contact_free(double frequency) override {
     SeriesCurve curve(family_, 1);
     const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, contacts());
-    if (!curve.evaluate(curve.unknowns(none, frequency))) return;
-    const bool free = std::all_of(curve.contacts().begin(), curve.contacts().end(),
-                                  [](const auto& c) { return c.empty(); });
-    if (free) add_start(curve, "contact-free motion");
+    const bool free = curve.evaluate(curve.unknowns(none, frequency)) &&
+                      std::ranges::all_of(curve.contacts(), [](const auto& c) { return c.empty(); });
+    return free ? std::optional(into_interval(curve)) : std::nullopt;
   }
 
-  // The method's own answer, corrected to the equations of the curve.
-  void add_answer(double frequency) {
-    Problem problem = family_.problem;
-    problem.frequency = frequency;
-    const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
-    if (solution.verdict != Verdict::converged || !solution.trajectory) {
-      diagram_.notes.push_back(
-          fmt::format("no answer of the method at {:.10g} rad/s: {}", frequency, solution.message));
-      return;
-    }
+  std::optional<SeriesStart> on_curve(const EndAnswer& answer) override {
     SeriesCurve curve(family_, 1);
     const Eigen::VectorXd x =
-        curve.unknowns(force_spectrum(*solution.trajectory, curve.harmonics()), frequency);
-    if (correct_at_parameter(curve, x))
-      add_start(curve, "answer of the method");
-    else
-      diagram_.notes.push_back(
-          fmt::format("the answer of the method at {:.10g} rad/s is not on a curve", frequency));
+        curve.unknowns(force_spectrum(*answer.motion, curve.harmonics()), answer.problem.frequency);
+    return correct_at_parameter(curve, x) ? std::optional(into_interval(curve)) : std::nullopt;
   }
 
-  // Into the interval from one of its ends.
-  void add_start(SeriesCurve& curve, const std::string& origin) {
+  [[nodiscard]] SeriesStart into_interval(SeriesCurve& curve) const {
     const bool upwards = curve.frequency() < 0.5 * (family_.low + family_.high);
-    starts_.push_back({.multiple = curve.multiple(),
-                       .x = curve.x(),
-                       .tangent = first_tangent(curve, upwards),
-                       .origin = fmt::format("{} at {:.10g} rad/s", origin, curve.frequency())});
+    return {.multiple = 1, .x = curve.x(), .tangent = first_tangent(curve, upwards), .origin = {}};
   }
 
-  void trace_next() {
-    // Motions of the shortest period first.
-    const auto next =
-        std::min_element(starts_.begin(), starts_.end(),
-                         [](const SeriesStart& a, const SeriesStart& b) { return a.multiple < b.multiple; });
-    const SeriesStart start = std::move(*next);
-    starts_.erase(next);
-    if (!start.leaves_repetition && start.crossed.size() == 0 && known(start.multiple, start.x)) return;
-    if (static_cast<int>(diagram_.branches.size()) >= limits_.max_branches) {
-      diagram_.unfinished = fmt::format("limit of {} branches", limits_.max_branches);
-      return;
-    }
-    TracedSeries traced = trace_series(
-        family_, start, limits_, allowed(2 * start.multiple),
-        [&](const Eigen::VectorXd& x, std::size_t intervals) { return known(start.multiple, x, intervals); });
-    if (limits_.expired()) diagram_.unfinished = "the time is up";
-    if (!traced.rejected.empty()) {
-      diagram_.notes.push_back(fmt::format("{}: {}", start.origin, traced.rejected));
-      return;
-    }
-    for (SeriesStart& other : traced.others)
-      if (allowed(other.multiple)) starts_.push_back(std::move(other));
-    for (const Eigen::VectorXd& grazing : traced.grazings) add_grazing_branches(grazing);
-    diagram_.branches.push_back(traced.branch);
-    if (limits_.take) limits_.take(traced.branch);
-    traced_.push_back(std::move(traced));
+  [[nodiscard]] bool is_known(const SeriesStart& start) const override {
+    return !start.leaves_another() && contain(start.multiple, start.x);
   }
 
-  void add_grazing_branches(const Eigen::VectorXd& grazing) {
-    for (int multiple = 2; allowed(multiple); ++multiple) {
-      if (auto start = grazing_branch(family_, grazing, multiple)) starts_.push_back(std::move(*start));
+  TracedBranch<SeriesStart> trace(const SeriesStart& start) override {
+    TracedSeries traced = trace_series(family_, start, limits(), *this, allowed(2 * start.multiple));
+    std::erase_if(traced.others, [&](const SeriesStart& other) { return !allowed(other.multiple); });
+    for (const Eigen::VectorXd& grazing : traced.grazings) {
+      for (int multiple = 2; allowed(multiple); ++multiple)
+        if (auto other = grazing_branch(family_, grazing, multiple))
+          traced.others.push_back(std::move(*other));
     }
+    return traced;
   }
 
   [[nodiscard]] bool allowed(int multiple) const {
-    return multiple == 1 || (multiple * family_.problem.subharmonic <= limits_.max_order &&
+    return multiple == 1 || (multiple * family_.problem.subharmonic <= limits().max_order &&
                              (2 * multiple * family_.harmonics + 1) * contacts() <= kMostUnknowns);
+  }
+
+  [[nodiscard]] Eigen::VectorXd begun_later(const Eigen::VectorXd& x, int periods, int shift) const override {
+    return signorini::begun_later(x, periods * family_.harmonics, static_cast<double>(shift) / periods);
+  }
+  [[nodiscard]] double rounding_of(const Eigen::VectorXd& x) const override {
+    return signorini::rounding_of(x);
   }
 
   [[nodiscard]] Eigen::Index contacts() const { return family_.problem.contact_count(); }
 
-  // Whether unknowns lie on a branch that was followed, at any of the periods that they may be shifted by,
-  // where it has so many intervals of contact.
-  [[nodiscard]] bool known(int multiple, const Eigen::VectorXd& x,
-                           std::optional<std::size_t> intervals = {}) const {
-    for (int shift = 0; shift < multiple; ++shift) {
-      const double share = static_cast<double>(shift) / multiple;
-      const Eigen::VectorXd later = begun_later(x, multiple * family_.harmonics, share);
-      for (const TracedSeries& traced : traced_)
-        if (traced.multiple == multiple && traced.points.pass_by(later, rounding_of(later), intervals))
-          return true;
-    }
-    return false;
-  }
-
-  SeriesFamily family_;
-  const SeriesMethod& method_;
-  const CurveLimits& limits_;
-  std::deque<SeriesStart> starts_;
-  std::vector<TracedSeries> traced_;
-  BranchDiagram diagram_;
+  const SeriesFamily& family_;
 };
+
+// What the method makes of the scene with so many harmonics.
+SeriesFamily family_of(const ParametrisedScene& scene, const SeriesMethod& method, int harmonics) {
+  SeriesFamily family = series_family(scene.at(scene.from), scene.from, scene.to);
+  family.harmonics = harmonics;
+  family.law_at = method.law_at;
+  const bool sampled = method.options.contact_integral() == Quadrature::sampled;
+  family.integral = sampled ? ContactIntegral::sampled : ContactIntegral::exact;
+  family.samples = sampled ? method.options.fixed_samples(harmonics).value_or(32 * harmonics)
+                           : kResolvingSamples * std::max(harmonics, kFewestOnGrid);
+  family.opposite = opposite_contacts(family.problem);
+  return family;
+}
 
 }  // namespace
 
 BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod& method,
                              const CurveLimits& limits) {
-  const double from = scene.from, to = scene.to;
-  const Problem problem = scene.at(from);
+  const Problem problem = scene.at(scene.from);
   if (problem.contact_count() == 0) return {.unfinished = "the scene has no contact"};
-  SeriesFamily family = series_family(problem, from, to);
-  family.harmonics = method.options.first_harmonics(problem);
-  if ((2 * family.harmonics + 1) * problem.contact_count() > kMostUnknowns)
-    return {.unfinished = fmt::format("{} unknowns are more than {}",
-                                      (2 * family.harmonics + 1) * problem.contact_count(), kMostUnknowns)};
-  family.law_at = method.law_at;
-  const bool sampled = method.options.contact_integral() == Quadrature::sampled;
-  family.integral = sampled ? ContactIntegral::sampled : ContactIntegral::exact;
-  family.samples = sampled ? method.options.fixed_samples(family.harmonics).value_or(32 * family.harmonics)
-                           : kResolvingSamples * std::max(family.harmonics, kFewestOnGrid);
+  const auto unknowns = [&](int harmonics) { return (2 * harmonics + 1) * problem.contact_count(); };
+  int harmonics = method.options.first_harmonics(problem);
+  BranchDiagram diagram;
   try {
-    family.opposite = opposite_contacts(family.problem);
-    BranchDiagram diagram = SeriesDiagram(std::move(family), method, limits).run(from, to);
+    std::vector<std::string> notes;
+    std::vector<EndAnswer> answers;
+    if (unknowns(harmonics) <= kMostUnknowns) answers = end_answers(scene, method.method, limits, notes);
+    // As many as the answers need where that is left to the method.
+    for (const EndAnswer& answer : answers)
+      if (!method.options.harmonics) harmonics = std::max(harmonics, answer.motion->bandwidth().value_or(0));
+    if (unknowns(harmonics) > kMostUnknowns)
+      return {.unfinished = fmt::format("{} unknowns are more than {}", unknowns(harmonics), kMostUnknowns)};
+    const SeriesFamily family = family_of(scene, method, harmonics);
+    diagram = SeriesDiagram(family, limits).run(scene, answers);
+    diagram.notes.insert(diagram.notes.begin(), notes.begin(), notes.end());
     const auto* law = std::get_if<Restitution>(&problem.law);
     if (law != nullptr && law->e < 1.0)
       diagram.notes.push_back(
           fmt::format("curves of harmonic balance have restitution 1, the scene has {:g}", law->e));
-    return diagram;
   } catch (const std::runtime_error& error) {  // of a structure that cannot be factorised
-    return {.unfinished = error.what()};
+    diagram.unfinished = error.what();
   }
+  return diagram;
 }
 
 }  // namespace signorini

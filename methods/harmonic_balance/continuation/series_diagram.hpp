@@ -1,9 +1,6 @@
 #pragma once
 // All branches of a method of harmonic balance that hang together with its answers at both ends.
 
-#include <functional>
-#include <memory>
-
 #include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/series_tracer.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
@@ -13,16 +10,17 @@ namespace signorini {
 
 /// A method of harmonic balance as its curves need it.
 struct SeriesMethod {
-  HarmonicOptions options;
-  LawAt law_at;
-  /// The method itself for a scene at one frequency.
-  std::function<std::unique_ptr<PreparedMethod>(const Problem&)> prepare;
+  const Method& method;            ///< itself
+  const HarmonicOptions& options;  ///< those that all have
+  LawAt law_at;                    ///< the contact law as it imposes it
 };
 
 /// Follows, from both ends into the interval, the contact-free motion where nothing touches and the method's
 /// own answer; then what leaves these branches: motions of twice the period at doublings, the
 /// crossing branch at branch points, and at the grazing of a contact-free motion those of more periods that
 /// press once (grazing_branch), up to the largest order. What lies on a branch already followed is left out.
+///
+/// Where the number of harmonics is left to the method, the curve has as many as its answers at both ends.
 ///
 /// Impacts stay as the series has them: folds and doublings are off by O(1/H). Motions of k periods have k
 /// times the harmonics.

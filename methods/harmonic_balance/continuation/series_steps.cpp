@@ -7,17 +7,6 @@
 
 namespace signorini {
 
-namespace {
-
-// The length of a step, at whose end the curve is evaluated, up to where the frequency takes a value.
-std::optional<double> length_to(DepthCurve& curve, const CurveStep& step, double value) {
-  const double unit = curve.series().family().frequency_unit;
-  const auto distance = [&](DepthCurve& at) { return std::optional((at.frequency() - value) / unit); };
-  return locate(curve, step, distance, step.x[step.x.size() - 1] - value / unit, *distance(curve));
-}
-
-}  // namespace
-
 bool SeriesSteps::begin(const SeriesStart& start) {
   if (!series_.evaluate(start.x)) return false;
   here_ = series_station(curve_, start.tangent.normalized(), doublings_);
@@ -40,15 +29,13 @@ std::optional<SeriesStep> SeriesSteps::attempt() {
   }
   if (!iterations) return refuse(0.4);
   if (!stop_where_contact_ceases()) return refuse(0.5);
-  const bool leaves = leaves_interval();
-  if (leaves && !return_to_bound()) return outside_ ? std::nullopt : refuse(0.5);
-  const auto value = leaves ? std::nullopt : value_passed();
+  const auto target = this->target();
   const double planned = length_;
-  if (value && !shorten_to(*value)) return refuse(0.5);
+  if (target && !shorten_to(*target)) return outside_ ? std::nullopt : refuse(0.5);
   auto step = arrive(*iterations);
   if (!step) return refuse(0.5);
-  step->leaves = leaves;
-  if (value) planned_ = planned;
+  step->leaves = target && target->leaves;
+  if (target && !target->leaves) planned_ = planned;
   return step;
 }
 
@@ -56,8 +43,8 @@ bool SeriesSteps::take(SeriesStep step) {
   curve_.follow(step.next.depths);
   if (!curve_.evaluate(step.next.z)) return false;
   here_ = std::move(step.next);
-  length_ = std::max(next_step(length_, step.iterations - 1, step.turn, limits_.step_share * kLongestStep),
-                     planned_);
+  length_ = std::max(
+      next_step(length_, step.iterations - 1, step.turn, limits_.step_share * StepRules::kLongest), planned_);
   planned_ = 0.0;
   if (step.beginning) turn_along_depths(*step.beginning);
   return true;
@@ -84,11 +71,10 @@ CurveStep SeriesSteps::whole_step() const {
 
 // Newton steps to the end of the step, at which the curve is then evaluated.
 std::optional<int> SeriesSteps::try_step() {
-  constexpr double kFar = 2.0;  // of the step's length
   curve_.follow(here_.depths);
   const auto iterations = correct(curve_, here_.z + length_ * here_.tangent, here_.tangent,
                                   {.iterations = 10, .tolerance = 2e-13});
-  return iterations && (curve_.z() - here_.z).norm() <= kFar * length_ ? iterations : std::nullopt;
+  return iterations && (curve_.z() - here_.z).norm() <= StepRules::kFar * length_ ? iterations : std::nullopt;
 }
 
 // Where a step is refused: up to where a contact begins, if one does; else shorter.
@@ -122,38 +108,27 @@ bool SeriesSteps::stop_where_contact_ceases() {
   return false;
 }
 
-bool SeriesSteps::leaves_interval() const {
-  return curve_.frequency() < series_.family().low || curve_.frequency() > series_.family().high;
-}
-
-bool SeriesSteps::return_to_bound() {
-  const SeriesFamily& family = series_.family();
-  const double bound = curve_.frequency() < family.low ? family.low : family.high;
+bool SeriesSteps::shorten_to(const StepTarget& target) {
   constexpr double kAtBound = 1e-13;
-  outside_ = std::abs(here_.x[series_.size()] - bound / family.frequency_unit) < kAtBound;
+  const double value = target.value / series_.family().frequency_unit;
+  outside_ = target.leaves && std::abs(here_.x[series_.size()] - value) < kAtBound;
   if (outside_) return false;
-  ceasing_.reset();
-  return shorten_to(bound);
-}
-
-bool SeriesSteps::shorten_to(double frequency) {
-  const auto length = length_to(curve_, whole_step(), frequency);
+  const auto length = length_to_parameter(curve_, whole_step(), curve_.z(), value);
   if (length) length_ = *length;
   ceasing_.reset();
   return length.has_value();
 }
 
-// The first of the frequencies at which the curve is to have a point between the last point and here.
-std::optional<double> SeriesSteps::value_passed() const {
-  const double before = here_.x[series_.size()] * series_.family().frequency_unit;
-  return first_passed(limits_.at, before, curve_.frequency());
+std::optional<StepTarget> SeriesSteps::target() const {
+  const SeriesFamily& family = series_.family();
+  return first_target(limits_.at, family.low, family.high, here_.x[series_.size()] * family.frequency_unit,
+                      curve_.frequency());
 }
 
 // A branch of few unknown changes, as without contact, still has neighbours for points.
 bool SeriesSteps::moves_too_far() const {
-  constexpr double kShare = 0.1, kSmall = 0.05;  // of the motion; of the unit of displacement
-  const double size = std::max(here_.motion.norm(), kSmall * series_.family().displacement_unit);
-  return (series_.motion() - here_.motion).norm() > kShare * size;
+  return StepRules::moves_too_far(series_.motion(), here_.motion,
+                                  StepRules::kSmall * series_.family().displacement_unit);
 }
 
 // The step whose end the curve is evaluated at; empty where it may not be taken.
@@ -167,11 +142,10 @@ std::optional<SeriesStep> SeriesSteps::arrive(int iterations) {
 
 // The slope of the curve of x where it is evaluated; empty where the curve has turned too far.
 std::optional<Eigen::VectorXd> SeriesSteps::next_slope(double& turn) {
-  constexpr double kTurned = 0.35;  // rad
   const auto tangent = tangent_of(curve_, here_.tangent);
   if (!tangent) return std::nullopt;
   turn = std::acos(std::clamp(tangent->dot(here_.tangent), -1.0, 1.0));
-  if (turn > kTurned) return std::nullopt;
+  if (turn > StepRules::kTurned) return std::nullopt;
   if (!ceasing_) return curve_.without_depths(*tangent).normalized();
   // Where a depth is zero all else stands still: on along the curve on which that contact is open.
   const Eigen::VectorXd slope = first_tangent(series_);
@@ -212,7 +186,7 @@ std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nasce
   if (beyond || !(here_.slope.dot(series_.x() - here_.x) > 0.0)) return std::nullopt;
   const ContactDepth beginning = curve_.depth_here(curve_.count() - 1);
   curve_.follow(here_.depths);
-  if (!curve_.evaluate(z) || leaves_interval() || value_passed()) return std::nullopt;
+  if (!curve_.evaluate(z) || target()) return std::nullopt;
   ceasing_.reset();
   auto step = arrive(kUsual);
   // Where the square falls again the contact began before.
@@ -249,7 +223,7 @@ void SeriesSteps::turn_along_depths(const ContactDepth& first) {
   curve_.follow(here_.depths);
   here_.z = curve_.with_depths(here_.x, w);
   here_.tangent = curve_.with_depths(Eigen::VectorXd::Zero(here_.x.size()), rates).normalized();
-  length_ = kFirstStep;
+  length_ = StepRules::kFirst;
 }
 
 }  // namespace signorini

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/continuation/curve_tracer.hpp"
 #include "methods/curve.hpp"
 #include "methods/harmonic_balance/continuation/series_events.hpp"
 
@@ -25,12 +26,11 @@ struct SeriesStep {
 
 /// Takes steps by pseudo-arclength from station to station, the depths of short contacts among the unknowns.
 ///
-/// A step is refused, and the next one shorter, where the tangent turns by more than .35 rad, where Newton's
-/// method leads farther than twice its length, or where the motion itself changes by more than a tenth.
-/// Before that, and where a contact is gained on a step, the step is led to where an extremum of y becomes
-/// zero, if one does within twice its length. From there the curve goes on along the depth of that contact. A
-/// contact whose depth falls to zero has ceased: the step ends there, and the curve goes on along that on
-/// which it is open. With a sampled contact integral, which is not smooth, no depths are followed.
+/// A step is refused, and the next one shorter, as StepRules have it. Before that, and where a contact is
+/// gained on a step, the step is led to where an extremum of y becomes zero, if one does within twice its
+/// length. From there the curve goes on along the depth of that contact. A contact whose depth falls to zero
+/// has ceased: the step ends there, and the curve goes on along that on which it is open. With a sampled
+/// contact integral, which is not smooth, no depths are followed.
 class SeriesSteps {
  public:
   /// \param family, limits  kept by the caller
@@ -64,10 +64,8 @@ class SeriesSteps {
   std::optional<SeriesStep> refuse(double factor);
   [[nodiscard]] bool gains_contact() const;
   bool stop_where_contact_ceases();
-  [[nodiscard]] bool leaves_interval() const;
-  bool return_to_bound();
-  bool shorten_to(double frequency);
-  [[nodiscard]] std::optional<double> value_passed() const;
+  bool shorten_to(const StepTarget& target);
+  [[nodiscard]] std::optional<StepTarget> target() const;
   [[nodiscard]] bool moves_too_far() const;
   std::optional<SeriesStep> arrive(int iterations);
   std::optional<Eigen::VectorXd> next_slope(double& turn);
@@ -75,17 +73,14 @@ class SeriesSteps {
   std::optional<SeriesStep> begin_contact(const NascentContact& nascent, double distance);
   void turn_along_depths(const ContactDepth& first);
 
-  /// Lengths of the first step, also of the first where a contact begins, and of the longest, in the units of
-  /// DepthCurve.
-  static constexpr double kFirstStep = 0.01, kLongestStep = 0.1;
-
   const CurveLimits& limits_;
   bool doublings_;
   DepthCurve curve_;
   SeriesCurve& series_;  // of curve_
   SeriesStation here_;
-  double length_ = kFirstStep, planned_ = 0.0;  // the latter of a step that ended at a frequency asked for
-  std::optional<ContactDepth> ceasing_;         // at the end of the step at hand
+  double length_ = StepRules::kFirst,
+         planned_ = 0.0;                 // the latter of a step that ended at a frequency asked for
+  std::optional<ContactDepth> ceasing_;  // at the end of the step at hand
   bool outside_ = false;
 };
 

@@ -21,6 +21,10 @@ struct SeriesStart {
   /// Where the start is a branch point of a curve that is followed, and the curve is to leave that: its
   /// tangent.
   Eigen::VectorXd crossed = {};
+
+  [[nodiscard]] int periods() const { return multiple; }  ///< of the scene's order
+  /// Whether another curve goes through the start, which is to be left.
+  [[nodiscard]] bool leaves_another() const { return leaves_repetition || crossed.size() > 0; }
 };
 
 /// The unknowns of the same motion, begun a share of its period later. \param harmonics  H of the unknowns

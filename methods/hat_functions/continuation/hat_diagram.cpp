@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <deque>
 #include <exception>
 #include <utility>
 #include <vector>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/continuation/method_diagram.hpp"
 
 namespace signorini {
 
@@ -18,39 +17,22 @@ namespace {
 /// Nodes times contacts up to which a curve is followed.
 constexpr int kMostNodes = 16384;
 
-class HatDiagram {
+class HatDiagram final : public MethodDiagram<HatStart> {
  public:
-  HatDiagram(const HatFamily& family, const CurveLimits& limits) : family_(family), limits_(limits) {}
-
-  BranchDiagram run(double from, double to,
-                    const std::function<std::unique_ptr<PreparedMethod>(const Problem&)>& prepare) {
-    for (const double frequency : {from, to}) add_contact_free(frequency);
-    for (const double frequency : {from, to}) add_answer(frequency, prepare);
-    if (starts_.empty()) diagram_.unfinished = "the method has no answer at either end of the interval";
-    while (!starts_.empty() && diagram_.unfinished.empty()) trace_next();
-    return std::move(diagram_);
-  }
+  HatDiagram(const HatFamily& family, const CurveLimits& limits) : MethodDiagram(limits), family_(family) {}
 
  private:
-  void add_contact_free(double frequency) {
+  std::optional<HatStart> contact_free(double frequency) override {
     HatCurve curve(family_, 1);
     const Eigen::VectorXd x = Eigen::VectorXd::Constant(1, frequency / family_.frequency_unit);
-    if (curve.evaluate(x) && curve.gaps().minCoeff() > 0.0) add_start(curve, "contact-free motion");
+    const bool free = curve.evaluate(x) && curve.gaps().minCoeff() > 0.0;
+    return free ? std::optional(into_interval(curve)) : std::nullopt;
   }
 
-  // The method's own answer: its pressing nodes, and the equations solved with them.
-  void add_answer(double frequency,
-                  const std::function<std::unique_ptr<PreparedMethod>(const Problem&)>& prepare) {
-    Problem problem = family_.problem;
-    problem.frequency = frequency;
-    const Solution solution = prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
-    if (solution.verdict != Verdict::converged || !solution.trajectory) {
-      diagram_.notes.push_back(
-          fmt::format("no answer of the method at {:.10g} rad/s: {}", frequency, solution.message));
-      return;
-    }
+  // Its pressing nodes, and the equations solved with them.
+  std::optional<HatStart> on_curve(const EndAnswer& answer) override {
     HatCurve curve(family_, 1);
-    const Eigen::MatrixXd force = solution.trajectory->sample(curve.samples()).force;
+    const Eigen::MatrixXd force = answer.motion->sample(curve.samples()).force;
     Eigen::VectorXd all = Eigen::VectorXd::Zero(curve.nodes() + 1);
     std::vector<int> pressing;
     for (int node = 0; node < curve.nodes(); ++node) {
@@ -59,52 +41,37 @@ class HatDiagram {
       pressing.push_back(node);
       all[node] = pressure * curve.weight(node);
     }
-    all[curve.nodes()] = frequency / family_.frequency_unit;
+    all[curve.nodes()] = answer.problem.frequency / family_.frequency_unit;
     curve.press(pressing);
-    if (correct_at_parameter(curve, curve.on_pressing(all)))
-      add_start(curve, "answer of the method");
-    else
-      diagram_.notes.push_back(
-          fmt::format("the answer of the method at {:.10g} rad/s is not on a curve", frequency));
+    const bool solved = correct_at_parameter(curve, curve.on_pressing(all)).has_value();
+    return solved ? std::optional(into_interval(curve)) : std::nullopt;
   }
 
-  // Into the interval from one of its ends.
-  void add_start(HatCurve& curve, const std::string& origin) {
+  [[nodiscard]] HatStart into_interval(HatCurve& curve) const {
     const bool upwards = curve.frequency() < 0.5 * (family_.low + family_.high);
-    starts_.push_back({.multiple = 1,
-                       .pressing = curve.pressing(),
-                       .x = curve.x(),
-                       .tangent = first_tangent(curve, upwards),
-                       .origin = fmt::format("{} at {:.10g} rad/s", origin, curve.frequency())});
+    return {.multiple = 1,
+            .pressing = curve.pressing(),
+            .x = curve.x(),
+            .tangent = first_tangent(curve, upwards),
+            .origin = {}};
   }
 
-  void trace_next() {
-    const HatStart start = std::move(starts_.front());
-    starts_.pop_front();
+  [[nodiscard]] bool is_known(const HatStart& start) const override {
     HatCurve curve(family_, start.multiple);
     curve.press(start.pressing);
-    if (known(start.multiple, curve.on_all(start.x))) return;
-    if (static_cast<int>(diagram_.branches.size()) >= limits_.max_branches) {
-      diagram_.unfinished = fmt::format("limit of {} branches", limits_.max_branches);
-      return;
-    }
-    TracedHat traced = trace_hat(family_, start, limits_,
-                                 [&](const Eigen::VectorXd& all) { return known(start.multiple, all); });
-    if (limits_.expired()) diagram_.unfinished = "the time is up";
-    if (traced.branch.points.size() < 2) {
-      diagram_.notes.push_back(fmt::format("{}: {}", start.origin, traced.branch.ended));
-      return;
-    }
-    for (const HatStart& grazing : traced.grazings) add_grazing_branches(grazing);
-    diagram_.branches.push_back(traced.branch);
-    if (limits_.take) limits_.take(traced.branch);
-    traced_.push_back(std::move(traced));
+    return contain(start.multiple, curve.on_all(start.x));
+  }
+
+  TracedBranch<HatStart> trace(const HatStart& start) override {
+    TracedHat traced = trace_hat(family_, start, limits(), *this);
+    for (const HatStart& grazing : traced.grazings) add_grazing_branches(grazing, traced.others);
+    return traced;
   }
 
   // One of the passages presses; of the others, which graze at the same frequency, the gaps must open.
-  void add_grazing_branches(const HatStart& grazing) {
+  void add_grazing_branches(const HatStart& grazing, std::vector<HatStart>& others) const {
     const HatCurve one(family_, 1);
-    for (int multiple = 2; multiple * family_.problem.subharmonic <= limits_.max_order; ++multiple) {
+    for (int multiple = 2; multiple * family_.problem.subharmonic <= limits().max_order; ++multiple) {
       HatCurve curve(family_, multiple);
       if (curve.nodes() > kMostNodes || !curve.evaluate(grazing.x)) return;
       int touching = 0;
@@ -116,11 +83,11 @@ class HatDiagram {
       if (!curve.evaluate(x)) continue;
       const auto tangent = tangent_after_change(curve, touching);
       if (!tangent || !others_open(curve, touching, *tangent)) continue;
-      starts_.push_back({.multiple = multiple,
-                         .pressing = {touching},
-                         .x = x,
-                         .tangent = *tangent,
-                         .origin = fmt::format("grazing of motions of order {}", one.order())});
+      others.push_back({.multiple = multiple,
+                        .pressing = {touching},
+                        .x = x,
+                        .tangent = *tangent,
+                        .origin = fmt::format("grazing of motions of order {}", one.order())});
     }
   }
 
@@ -133,39 +100,36 @@ class HatDiagram {
     return true;
   }
 
-  // Whether unknowns lie on a branch that was followed, at any of the periods that they may be shifted by.
-  [[nodiscard]] bool known(int multiple, const Eigen::VectorXd& all) const {
-    constexpr double kRounding = 1e-9;  // of the units
-    const int samples = multiple * family_.samples;
-    for (int shift = 0; shift < multiple; ++shift) {
-      Eigen::VectorXd later = all;
-      for (int first = 0; first + samples < all.size(); first += samples) {
-        for (int i = 0; i < samples; ++i)
-          later[first + (i + shift * family_.samples) % samples] = all[first + i];
-      }
-      for (const TracedHat& traced : traced_)
-        if (traced.multiple == multiple && traced.points.pass_by(later, kRounding)) return true;
+  [[nodiscard]] Eigen::VectorXd begun_later(const Eigen::VectorXd& all, int periods,
+                                            int shift) const override {
+    const int samples = periods * family_.samples;
+    Eigen::VectorXd later = all;
+    for (int first = 0; first + samples < all.size(); first += samples) {
+      for (int i = 0; i < samples; ++i)
+        later[first + (i + shift * family_.samples) % samples] = all[first + i];
     }
-    return false;
+    return later;
+  }
+  [[nodiscard]] double rounding_of(const Eigen::VectorXd& /*all*/) const override {
+    return 1e-9;  // of the units
   }
 
   const HatFamily& family_;
-  const CurveLimits& limits_;
-  std::deque<HatStart> starts_;
-  std::vector<TracedHat> traced_;
-  BranchDiagram diagram_;
 };
 
 }  // namespace
 
-BranchDiagram hat_diagram(const HatFamily& family, double from, double to,
-                          const std::function<std::unique_ptr<PreparedMethod>(const Problem&)>& prepare,
+BranchDiagram hat_diagram(const HatFamily& family, const ParametrisedScene& scene, const Method& method,
                           const CurveLimits& limits) {
   const int nodes = family.samples * family.problem.contact_count();
   if (nodes == 0) return {.unfinished = "the scene has no contact"};
   if (nodes > kMostNodes) return {.unfinished = fmt::format("{} nodes are more than {}", nodes, kMostNodes)};
   try {
-    return HatDiagram(family, limits).run(from, to, prepare);
+    std::vector<std::string> notes;
+    const std::vector<EndAnswer> answers = end_answers(scene, method, limits, notes);
+    BranchDiagram diagram = HatDiagram(family, limits).run(scene, answers);
+    diagram.notes.insert(diagram.notes.begin(), notes.begin(), notes.end());
+    return diagram;
   } catch (const std::runtime_error& error) {  // of a structure that cannot be factorised
     return {.unfinished = error.what()};
   }

@@ -1,12 +1,8 @@
 #pragma once
 // All branches of a method of hat functions that hang together with its answers at both ends.
 
-#include <functional>
-#include <memory>
-
 #include "methods/curve.hpp"
 #include "methods/hat_functions/continuation/hat_tracer.hpp"
-#include "methods/method.hpp"
 
 namespace signorini {
 
@@ -16,9 +12,9 @@ namespace signorini {
 /// that the complementarity conditions allow beside the grazing. What lies on a branch already followed is
 /// left out. Doublings are not looked for.
 ///
-/// \param prepare  the method itself for a scene at one frequency, on the nodes of the family
-BranchDiagram hat_diagram(const HatFamily& family, double from, double to,
-                          const std::function<std::unique_ptr<PreparedMethod>(const Problem&)>& prepare,
+/// \param scene   over the frequency of its load
+/// \param method  itself, on the nodes of the family
+BranchDiagram hat_diagram(const HatFamily& family, const ParametrisedScene& scene, const Method& method,
                           const CurveLimits& limits);
 
 }  // namespace signorini

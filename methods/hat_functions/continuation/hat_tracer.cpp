@@ -123,114 +123,75 @@ std::optional<NodeChange> first_change(HatCurve& curve, const CurveStep& step, i
   return first;
 }
 
-class HatTracer {
+class HatTracer final : public CurveTracer<HatStart> {
  public:
-  HatTracer(const HatFamily& family, const HatStart& start, const CurveLimits& limits, const KnownHat& known)
-      : limits_(limits), known_(known), curve_(family, start.multiple), tangent_(start.tangent) {
+  HatTracer(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
+            const FollowedCurves& followed)
+      : CurveTracer(start, limits, followed), curve_(family, start.multiple), tangent_(start.tangent) {
     curve_.press(start.pressing);
-    result_.multiple = start.multiple;
-    result_.branch.sequence = fmt::format("order {}, {} nodes", curve_.order(), curve_.samples());
-    result_.branch.began = start.origin;
-    x_ = start.x;
-    if (!curve_.evaluate(x_)) finish("the structure resonates undamped");
-    if (!done_) append();
+    result().branch.sequence = fmt::format("order {}, {} nodes", curve_.order(), curve_.samples());
   }
 
-  TracedHat run() {
-    while (!done_) advance();
-    return std::move(result_);
-  }
+  [[nodiscard]] std::vector<HatStart> take_grazings() { return std::move(grazings_); }
 
  private:
+  static constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
+
+  [[nodiscard]] double length() const override { return step_; }
+  [[nodiscard]] CurveStep whole_step() const { return {x_, tangent_, step_}; }
+
+  void begin() override {
+    x_ = start().x;
+    if (!curve_.evaluate(x_)) return finish("the structure resonates undamped");
+    append();
+  }
+
   void append() {
     motion_ = curve_.motion();
     SolutionPoint point = point_of(curve_);
-    if (limits_.phases > 0) point.motion = resampled(motion_, Eigen::Index{limits_.phases} * curve_.order());
-    result_.branch.points.push_back(std::move(point));
-    result_.points.x.push_back(curve_.on_all(x_));
-    result_.points.tangents.push_back(curve_.on_all(tangent_));
+    if (limits().phases > 0)
+      point.motion = resampled(motion_, Eigen::Index{limits().phases} * curve_.order());
+    CurveTracer::append(std::move(point), curve_.on_all(x_), curve_.on_all(tangent_));
   }
 
-  void add(SpecialKind kind, std::string text = {}) {
-    result_.branch.special.push_back({.kind = kind,
-                                      .point = point_of(curve_),
-                                      .text = std::move(text),
-                                      .after = result_.branch.points.size()});
+  void mark(SpecialKind kind, std::string text = {}) {
+    add({.kind = kind, .point = point_of(curve_), .text = std::move(text)});
   }
 
-  void finish(std::string reason) {
-    result_.branch.ended = std::move(reason);
-    done_ = true;
-  }
-
-  [[nodiscard]] CurveStep whole_step() const { return {x_, tangent_, step_}; }
-
-  void advance() {
-    constexpr double kTurned = 0.35, kFar = 2.0;  // rad; of the step
-    constexpr double kShortest = 1e-7;            // below, the curve has broken
-    if (limits_.expired()) return finish("the time is up");
-    if (step_ < kShortest) return broken();
+  void advance() override {
     const auto iterations = correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_);
-    if (!iterations || (curve_.x() - x_).norm() > kFar * step_) return shorten(0.4);
-    bool beyond = curve_.frequency() < curve_.family().low || curve_.frequency() > curve_.family().high;
+    if (!iterations || (curve_.x() - x_).norm() > StepRules::kFar * step_) return shorten(0.4);
     const auto tangent = tangent_of(curve_, tangent_);
-    if (!tangent || tangent->dot(tangent_) < std::cos(kTurned) || moves_too_far()) return shorten(0.5);
+    if (!tangent || tangent->dot(tangent_) < std::cos(StepRules::kTurned) || moves_too_far())
+      return shorten(0.5);
+    const Eigen::VectorXd end = curve_.x();
     const auto change = first_change(curve_, whole_step(), just_changed_);
     if (change && change->length < 0.0) return shorten(0.5);  // not to be located on so long a step
     double length = change ? change->length : step_;
-    if (beyond) {
-      const auto bound = length_to_bound();
-      if (!bound) return finish("end of the interval");
-      beyond = *bound <= length;
-      length = std::min(length, *bound);
-    }
-    const auto stop = length_to_value();
-    const bool stops = stop && *stop < length;
+    const HatFamily& family = curve_.family();
+    const double unit = family.frequency_unit;
+    const auto target = first_target(limits().at, family.low, family.high, x_[x_.size() - 1] * unit,
+                                     end[end.size() - 1] * unit);
+    const auto stop =
+        target ? length_to_parameter(curve_, whole_step(), end, target->value / unit) : std::nullopt;
+    if (target && target->leaves && !stop) return finish("end of the interval");
+    const bool stops = stop && (*stop < length || (target->leaves && *stop == length));
     if (stops) length = *stop;
     fold_before(length, *tangent);
     if (!correct(curve_, Eigen::VectorXd(x_ + length * tangent_), tangent_, kTight)) return shorten(0.5);
     take(*iterations, length);
-    if (stops) return;
-    if (beyond) return finish("end of the interval");
+    if (stops && target->leaves) return finish("end of the interval");
+    if (stops) return end_if_over();
     if (change) change_set(*change);
-    if (!done_) meets();
+    if (!is_done()) end_if_over();
   }
 
   void shorten(double factor) { step_ *= factor; }
 
-  void broken() { finish(fmt::format("the curve breaks at {:.10g} rad/s", curve_frequency())); }
-  [[nodiscard]] double curve_frequency() const { return x_[x_.size() - 1] * curve_.family().frequency_unit; }
-
   // Neighbours for points, on a branch of few unknowns too.
   [[nodiscard]] bool moves_too_far() const {
-    constexpr double kShare = 0.1, kSmall = 0.05;  // of the motion; of the unit of displacement
-    const double floor = kSmall * curve_.family().displacement_unit * std::sqrt(motion_.size());
-    return (curve_.motion() - motion_).norm() > kShare * std::max(motion_.norm(), floor);
-  }
-
-  std::optional<double> length_to_bound() {
-    constexpr double kAtBound = 1e-13;
-    const HatFamily& family = curve_.family();
-    if (!correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_)) return std::nullopt;
-    const double bound = curve_.frequency() < family.low ? family.low : family.high;
-    if (std::abs(x_[x_.size() - 1] - bound / family.frequency_unit) < kAtBound) return std::nullopt;
-    return length_to(bound);
-  }
-
-  // Of the step up to where the frequency takes a value, at whose other side the curve is evaluated.
-  std::optional<double> length_to(double value) {
-    const double unit = curve_.family().frequency_unit;
-    const auto distance = [&](HatCurve& at) { return std::optional((at.frequency() - value) / unit); };
-    const double before = x_[x_.size() - 1] - value / unit;
-    return locate(curve_, whole_step(), distance, before, *distance(curve_));
-  }
-
-  // Up to the first of the frequencies at which the curve is to have a point.
-  std::optional<double> length_to_value() {
-    if (limits_.at.empty() || !correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_))
-      return std::nullopt;
-    const auto value = first_passed(limits_.at, curve_frequency(), curve_.frequency());
-    return value ? length_to(*value) : std::nullopt;
+    const double small = StepRules::kSmall * curve_.family().displacement_unit;
+    return StepRules::moves_too_far(curve_.motion(), motion_, small * std::sqrt(motion_.size()));
   }
 
   // A fold within the set.
@@ -242,7 +203,7 @@ class HatTracer {
       return tangent ? std::optional((*tangent)[n]) : std::nullopt;
     };
     const auto fold = locate(curve_, whole_step(), slope, tangent_[n], last[n]);
-    if (fold && *fold < length) add(SpecialKind::fold);
+    if (fold && *fold < length) mark(SpecialKind::fold);
   }
 
   void take(int iterations, double length) {
@@ -251,25 +212,23 @@ class HatTracer {
     x_ = curve_.x();
     if (tangent) tangent_ = *tangent;
     constexpr double kNone = 1e-12;  // a step of no length, between two changes at one point
-    if (length > kNone * step_) {
-      append();
-      just_changed_ = -1;
-      if (length == step_) step_ = next_step(step_, iterations, turn, limits_.step_share * kLongestStep);
-    }
-    if (static_cast<int>(result_.points.x.size()) >= limits_.max_points)
-      finish(fmt::format("limit of {} points", limits_.max_points));
+    if (!(length > kNone * step_)) return;
+    append();
+    just_changed_ = -1;
+    if (length == step_)
+      step_ = next_step(step_, iterations, turn, limits().step_share * StepRules::kLongest);
   }
 
   // One node joins the pressing ones or leaves them.
   void change_set(const NodeChange& change) {
-    if (done_) return;
     constexpr int kMostChanges = 20000;
     if (++changes_ > kMostChanges)
       return finish(fmt::format("limit of {} changes of the pressing nodes", kMostChanges));
     const Eigen::VectorXd all = curve_.on_all(x_), before = curve_.on_all(tangent_);
     std::vector<int> pressing = curve_.pressing();
     const bool was_free = pressing.empty();
-    if (was_free) note_grazing();
+    if (was_free && start().multiple == 1)
+      grazings_.push_back({.multiple = 1, .pressing = {}, .x = x_, .tangent = tangent_, .origin = {}});
     if (change.joins) {
       pressing.insert(std::upper_bound(pressing.begin(), pressing.end(), change.node), change.node);
     } else {
@@ -277,50 +236,28 @@ class HatTracer {
     }
     curve_.press(pressing);
     x_ = curve_.on_pressing(all);
-    if (!curve_.evaluate(x_)) return broken();
+    if (!curve_.evaluate(x_)) return end_broken();
     if (was_free || pressing.empty()) {
       const bool rigid = std::holds_alternative<Restitution>(curve_.family().problem.law);
-      add(rigid ? SpecialKind::grazing : SpecialKind::contact_change,
-          fmt::format("contact {} {} to press", change.node / curve_.samples(),
-                      was_free ? "begins" : "ceases"));
+      mark(rigid ? SpecialKind::grazing : SpecialKind::contact_change,
+           fmt::format("contact {} {} to press", change.node / curve_.samples(),
+                       was_free ? "begins" : "ceases"));
     }
     const auto tangent = tangent_after_change(curve_, change.node);
-    if (!tangent) return broken();
+    if (!tangent) return end_broken();
     tangent_ = *tangent;
     just_changed_ = change.node;
     const Eigen::Index last = before.size() - 1;
     if (before[last] * tangent_[curve_.size()] < 0.0)
-      add(SpecialKind::fold, "at a change of the pressing nodes");
+      mark(SpecialKind::fold, "at a change of the pressing nodes");
   }
 
-  void note_grazing() {
-    if (result_.multiple > 1) return;
-    result_.grazings.push_back({.multiple = 1, .pressing = {}, .x = x_, .tangent = tangent_, .origin = {}});
-  }
-
-  void meets() {
-    constexpr double kRounding = 1e-9;  // in the units of the unknowns
-    constexpr std::size_t kLeft = 10;   // points, after which a branch has left the one on which it began
-    if (done_) return;
-    const Eigen::VectorXd& here = result_.points.x.back();
-    if (result_.points.passed_before(here, kRounding)) return finish("the branch meets itself");
-    if (result_.points.x.size() > kLeft && known_(here))
-      finish("the branch meets one that was followed before");
-  }
-
-  static constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
-
-  static constexpr double kFirstStep = 0.01, kLongestStep = 0.1;  // in the units of HatCurve
-
-  const CurveLimits& limits_;
-  const KnownHat& known_;
   HatCurve curve_;
   Eigen::VectorXd x_, tangent_;
   Eigen::MatrixXd motion_;
-  double step_ = kFirstStep;
+  double step_ = StepRules::kFirst;
   int just_changed_ = -1, changes_ = 0;
-  bool done_ = false;
-  TracedHat result_;
+  std::vector<HatStart> grazings_;
 };
 
 }  // namespace
@@ -337,8 +274,10 @@ std::optional<Eigen::VectorXd> tangent_after_change(HatCurve& curve, int changed
 }
 
 TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
-                    const KnownHat& known) {
-  return HatTracer(family, start, limits, known).run();
+                    const FollowedCurves& followed) {
+  HatTracer tracer(family, start, limits, followed);
+  TracedBranch<HatStart> traced = tracer.run();
+  return {std::move(traced), tracer.take_grazings()};
 }
 
 }  // namespace signorini

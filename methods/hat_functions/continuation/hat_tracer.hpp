@@ -2,18 +2,13 @@
 // Follows one curve of the contact condition on hat functions, from one set of pressing nodes to the next.
 
 #include <Eigen/Core>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "methods/continuation/curve_points.hpp"
-#include "methods/curve.hpp"
+#include "methods/continuation/curve_tracer.hpp"
 #include "methods/hat_functions/continuation/hat_curve.hpp"
 
 namespace signorini {
-
-/// Whether unknowns of all nodes lie on a branch followed before.
-using KnownHat = std::function<bool(const Eigen::VectorXd& all)>;
 
 /// Where a curve begins and where it goes.
 struct HatStart {
@@ -22,13 +17,12 @@ struct HatStart {
   Eigen::VectorXd x;          ///< on the curve of S
   Eigen::VectorXd tangent;    ///< the first step is taken along it
   std::string origin;         ///< why there, one clause
+
+  [[nodiscard]] int periods() const { return multiple; }  ///< of the scene's order
 };
 
-/// A branch and its unknowns.
-struct TracedHat {
-  Branch branch;
-  int multiple = 1;
-  CurvePoints points = {};              ///< unknowns of all nodes, and tangents
+/// A branch, its unknowns those of all nodes.
+struct TracedHat : TracedBranch<HatStart> {
   std::vector<HatStart> grazings = {};  ///< where a motion without contact first touches, still without
 };
 
@@ -42,9 +36,9 @@ struct TracedHat {
 /// On rigid stops that carry mass the phase of an impact is that of a node: a branch is a staircase whose
 /// steps are of the size of the grid's, with folds that are those of the grid.
 ///
-/// \param known  may end the curve
+/// \param followed  may end the curve
 TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
-                    const KnownHat& known);
+                    const FollowedCurves& followed);
 
 /// The tangent of the curve of S where it is evaluated, on the side where a gap opens or a pressure grows.
 /// \param changed  a node that has joined S, or left it

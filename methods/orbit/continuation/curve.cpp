@@ -25,14 +25,6 @@ bool begin(ExtendedEquations& equations, const CurveStart& start) {
   return (regular && correct(equations, start.orbit.x, start.tangent)) || equations.evaluate(start.orbit.x);
 }
 
-// The length of a step, at whose end the equations are evaluated, up to where the parameter takes a value.
-std::optional<double> length_to(ExtendedEquations& equations, const CurveStep& step, double value) {
-  const double unit = equations.family().units().parameter;
-  const auto distance = [&](ExtendedEquations& at) { return std::optional((at.parameter() - value) / unit); };
-  return locate(equations, step, distance, step.x[step.x.size() - 1] - value / unit,
-                (equations.parameter() - value) / unit);
-}
-
 // Why the point after the start is no orbit of the scene, or on the curve that was to be left; else empty.
 std::string why_rejected(const ExtendedEquations& equations, const CurveStart& start, const Station& begin,
                          const Station& next) {
@@ -206,11 +198,9 @@ class Tracer {
     const auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
-    const bool beyond = !family_.scene().contains(equations_->parameter());
-    const ParametrisedScene& scene = family_.scene();
-    if (beyond && !shorten_to(std::clamp(equations_->parameter(), scene.low(), scene.high())))
-      return finish(std::string(kEndOfInterval));
-    if (!beyond && !stop_at_value()) return shorten(0.5);
+    const auto target = this->target();
+    const bool beyond = target && target->leaves;
+    if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
     Station next = station_at(*equations_, *tangent);
@@ -256,22 +246,19 @@ class Tracer {
     }
   }
 
-  // Shortens the step to where the parameter takes a value.
-  bool shorten_to(double value) {
-    const auto length =
-        length_to(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, value);
-    if (length) step_ = *length;
-    return length.has_value();
+  [[nodiscard]] std::optional<StepTarget> target() const {
+    const ParametrisedScene& scene = family_.scene();
+    return first_target(limits_.at, scene.low(), scene.high(),
+                        here_.x[here_.x.size() - 1] * family_.units().parameter, equations_->parameter());
   }
 
-  // Ends the step at the first of the values at which the curve is to have a point.
-  bool stop_at_value() {
-    const double before = here_.x[here_.x.size() - 1] * family_.units().parameter, planned = step_;
-    const auto value = first_passed(limits_.at, before, equations_->parameter());
-    if (!value) return true;
-    if (!shorten_to(*value)) return false;
-    planned_ = planned;
-    return true;
+  bool shorten_to(const StepTarget& target) {
+    const auto length =
+        length_to_parameter(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_},
+                            equations_->orbit().x, target.value / family_.units().parameter);
+    if (length && !target.leaves) planned_ = step_;
+    if (length) step_ = *length;
+    return length.has_value();
   }
 
   bool rejects(const Station& next) {

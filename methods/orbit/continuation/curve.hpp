@@ -35,6 +35,8 @@ struct CurveStart {
   double first_step_share = 1.0;         ///< of the usual length [-]
   /// Two events that coincide there follow each other the other way round than on the branch that was left.
   bool exchanges = false;
+
+  [[nodiscard]] int periods() const { return orbit.order; }  ///< of the load
 };
 
 /// A branch, and where it may be left.

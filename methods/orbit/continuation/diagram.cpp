@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <list>
 #include <optional>
 #include <utility>
 
+#include "methods/continuation/curve_queue.hpp"
 #include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/contact_changes.hpp"
 #include "methods/orbit/continuation/station.hpp"
@@ -54,48 +54,26 @@ OrbitBranch joined(OrbitBranch backward, const OrbitBranch& forward) {
 
 class DiagramTracer {
  public:
-  DiagramTracer(OrbitFamily& family, const CurveLimits& limits) : family_(family), limits_(limits) {}
+  DiagramTracer(OrbitFamily& family, const CurveLimits& limits)
+      : family_(family), limits_(limits), queue_(limits) {}
 
   OrbitDiagram run(const std::vector<SequencedOrbit>& seeds) {
-    std::size_t left = 0;
     for (const SequencedOrbit& seed : seeds) {
-      if (over()) {
-        ++left;
-        continue;
-      }
+      if (queue_.is_over()) break;
       add_seed(seed);
-      work();
+      while (auto start = queue_.next()) {
+        if (start->leaves != LeftBranch::crossing && is_an_end(*start)) continue;
+        if (queue_.is_full()) break;
+        follow(*start);
+      }
     }
-    if (!queue_.empty() || left > 0)
-      result_.unfinished = fmt::format(
-          "{} branches and {} starts not followed: limit of {} branches reached, or the time is up",
-          queue_.size(), left, limits_.max_branches);
     if (too_long_ > 0)
-      result_.notes.push_back(
-          fmt::format("{} period doublings lead to orders above {}", too_long_, limits_.max_order));
-    return std::move(result_);
+      note(fmt::format("{} period doublings lead to orders above {}", too_long_, limits_.max_order));
+    return queue_.finish<OrbitDiagram>();
   }
 
  private:
-  [[nodiscard]] bool over() const {
-    return static_cast<int>(result_.branches.size()) >= limits_.max_branches || limits_.expired();
-  }
-  void note(const std::string& text) { result_.notes.push_back(text); }
-  void keep(OrbitBranch branch) {
-    result_.branches.push_back(std::move(branch));
-    if (limits_.take) limits_.take(result_.branches.back());
-  }
-
-  void work() {
-    while (!queue_.empty() && !over()) {
-      const auto next = std::min_element(queue_.begin(), queue_.end(), [](const auto& a, const auto& b) {
-        return a.orbit.order < b.orbit.order;
-      });
-      const CurveStart start = std::move(*next);
-      queue_.erase(next);
-      if (start.leaves == LeftBranch::crossing || !is_an_end(start)) follow(start);
-    }
-  }
+  void note(const std::string& text) { queue_.note(text); }
 
   void add_seed(const SequencedOrbit& seed) {
     ExtendedEquations given(family_, seed);
@@ -118,16 +96,16 @@ class DiagramTracer {
     };
     const TracedCurve forward = half(1.0);
     if (forward.closes) {
-      keep(forward.branch);
+      queue_.keep(forward.branch);
       return leave(forward);
     }
     const TracedCurve backward = half(-1.0);
     if (!forward.rejected.empty() && !backward.rejected.empty())
       return note(origin + ": " + forward.rejected);
     const auto usable = [](const TracedCurve& curve) { return curve.rejected.empty(); };
-    keep(!usable(backward)  ? forward.branch
-         : !usable(forward) ? backward.branch
-                            : joined(backward.branch, forward.branch));
+    queue_.keep(!usable(backward)  ? forward.branch
+                : !usable(forward) ? backward.branch
+                                   : joined(backward.branch, forward.branch));
     for (const TracedCurve* curve : {&forward, &backward}) {
       if (usable(*curve)) leave(*curve);
     }
@@ -136,7 +114,7 @@ class DiagramTracer {
   // An orbit of a branch that has been traced.
   bool is_known(const ExtendedEquations& equations) {
     const OrbitMark mark = mark_of(equations);
-    for (const OrbitBranch& branch : result_.branches) {
+    for (const OrbitBranch& branch : queue_.branches()) {
       if (branch.points.front().order != mark.order) continue;
       // The number of impacts of a chatter changes along a branch.
       if (branch.orbits.front().events.size() != equations.orbit().events.size() &&
@@ -167,7 +145,7 @@ class DiagramTracer {
       return;
     }
     for (const std::string& undecided : curve.notes) note(undecided);
-    keep(curve.branch);
+    queue_.keep(curve.branch);
     end_here(start.orbit);
     leave(curve);
   }
@@ -182,7 +160,7 @@ class DiagramTracer {
       ++too_long_;
       return;
     }
-    if (auto start = start_doubled(family_, orbit)) queue_.push_back(std::move(*start));
+    if (auto start = start_doubled(family_, orbit)) queue_.add(std::move(*start));
   }
 
   // Queues what begins at the doublings and at the end of a branch.
@@ -200,7 +178,7 @@ class DiagramTracer {
     changed_.push_back(end);
     ChangeOfSequence change = past_change(family_, curve);
     if (!change.start) return note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
-    queue_.push_back(std::move(*change.start));
+    queue_.add(std::move(*change.start));
   }
 
   void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across) {
@@ -209,7 +187,7 @@ class DiagramTracer {
     const OrbitMark mark = mark_of(equations);
     if (contains(crossed_, mark, true)) return;
     crossed_.push_back(mark);
-    for (CurveStart& start : start_crossing(family_, orbit, across)) queue_.push_back(std::move(start));
+    for (CurveStart& start : start_crossing(family_, orbit, across)) queue_.add(std::move(start));
   }
 
   void graze(const TracedCurve& curve, const OrbitMark& end) {
@@ -219,7 +197,7 @@ class DiagramTracer {
     grazings_.push_back(grazing->mark);
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
     if (!end.same(grazing->mark)) {
-      if (auto start = start_clear(family_, *grazing)) queue_.push_back(std::move(*start));
+      if (auto start = start_clear(family_, *grazing)) queue_.add(std::move(*start));
     }
     if (!grazing->obstacle.empty())
       return note(fmt::format("{}: {}; not followed", where, grazing->obstacle));
@@ -231,16 +209,15 @@ class DiagramTracer {
         note(fmt::format("{}: more than {} events in a period; not followed", where, kMostEvents));
         continue;
       }
-      queue_.push_back(std::move(start));
+      queue_.add(std::move(start));
     }
   }
 
   OrbitFamily& family_;
   const CurveLimits& limits_;
-  std::list<CurveStart> queue_;
+  CurveQueue<CurveStart, OrbitBranch> queue_;
   std::vector<OrbitMark> ends_, grazings_, doubled_, crossed_, changed_;
   int too_long_ = 0;
-  OrbitDiagram result_;
 };
 
 }  // namespace

@@ -116,5 +116,21 @@ TEST(ArcLength, StepsGrowWithEaseAndNeverBeyondTheLargest) {
   EXPECT_EQ(next_step(0.09, 2, 0.0, 0.1), 0.1);
 }
 
+TEST(FirstTarget, IsWhatTheStepMeetsFirstOfValuesAndTheEndsOfTheInterval) {
+  const std::vector<double> values{1.2, 1.6, 1.9};
+  const auto within = first_target(values, 1.0, 2.0, 1.5, 1.95);
+  ASSERT_TRUE(within);
+  EXPECT_EQ(within->value, 1.6);
+  EXPECT_FALSE(within->leaves);
+  const auto before_the_end = first_target(values, 1.0, 2.0, 1.7, 2.1);
+  ASSERT_TRUE(before_the_end);
+  EXPECT_EQ(before_the_end->value, 1.9) << "though the step leaves the interval";
+  const auto end = first_target(values, 1.0, 2.0, 1.1, 0.9);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->value, 1.0);
+  EXPECT_TRUE(end->leaves);
+  EXPECT_FALSE(first_target(values, 1.0, 2.0, 1.6, 1.7)) << "where it begins";
+}
+
 }  // namespace
 }  // namespace signorini::arc_length_test

@@ -27,6 +27,15 @@ Problem sprung(double stiffness) {
   return problem;
 }
 
+/// Curves of one period of which none was followed before.
+class NoCurves final : public FollowedCurves {
+  [[nodiscard]] Eigen::VectorXd begun_later(const Eigen::VectorXd& x, int /*periods*/,
+                                            int /*shift*/) const override {
+    return x;
+  }
+  [[nodiscard]] double rounding_of(const Eigen::VectorXd& /*x*/) const override { return 1e-9; }
+};
+
 HatLcp with_samples(int samples) {
   HatLcp::Options options;
   options.samples = samples;
@@ -122,7 +131,7 @@ TEST(HatTracer, PointsAreSolutionsOfTheComplementarityProblem) {
   const TracedHat traced = trace_hat(
       family,
       {.multiple = 1, .pressing = {}, .x = curve.x(), .tangent = -Eigen::VectorXd::Ones(1), .origin = {}}, {},
-      [](const Eigen::VectorXd&) { return false; });
+      NoCurves());
   EXPECT_EQ(traced.branch.ended, "end of the interval");
   int pressing_points = 0;
   for (const Eigen::VectorXd& all : traced.points.x) {
