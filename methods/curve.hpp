@@ -114,7 +114,8 @@ struct SpecialPoint {
 /// Motions of one kind, neighbours next to each other.
 struct Branch {
   std::string sequence = {};               ///< the kind: "order 2, events I0", "order 2, 40 harmonics"
-  std::string began = {}, ended = {};      ///< why there, one clause each
+  std::string began = {};                  ///< why there, one clause
+  std::string ended = {};                  ///< likewise
   std::vector<SolutionPoint> points = {};  ///< at least two
   std::vector<SpecialPoint> special = {};  ///< in the order of the branch
   bool by_steps = false;  ///< neighbours are steps of the parameter, and may lie on different curves
@@ -135,7 +136,8 @@ struct BranchDiagram {
 struct BifurcationCurve {
   SpecialKind kind = SpecialKind::fold;    ///< of all of them
   std::string sequence = {};               ///< as of a Branch
-  std::string began = {}, ended = {};      ///< why there, one clause each
+  std::string began = {};                  ///< why there, one clause
+  std::string ended = {};                  ///< likewise
   std::vector<SolutionPoint> points = {};  ///< `parameter` is the first number
   std::vector<double> second = {};         ///< the second number at each point
 };

@@ -13,6 +13,9 @@ namespace signorini {
 
 namespace {
 
+/// Motions are at rest below this share of the static deflection.
+constexpr double kAtRest = 1e-6;
+
 constexpr double kAgreed = 0.05;
 
 /// Instants that tell an answer as its own representation does.
@@ -129,8 +132,11 @@ double relative_distance(const Trajectory& a, const Trajectory& b, int instants,
   // Sizes are about the mean: where the origin of x is says nothing about a motion. Round-off goes with |x|.
   constexpr double kRoundOff = 1e-9;
   const auto size = [](const Eigen::MatrixXd& x) { return (x.rowwise() - x.colwise().mean()).norm(); };
-  return difference / std::max({size(x_a), size(x_b), least * std::sqrt(static_cast<double>(instants)),
-                                kRoundOff * std::max(x_a.norm(), x_b.norm())});
+  const double moves = std::max(size(x_a), size(x_b)),
+               rest = least * std::sqrt(static_cast<double>(instants));
+  // Where nothing moves, two answers differ by the places at which they rest.
+  if (moves <= rest) return difference / (rest / kAtRest);
+  return difference / std::max(moves, kRoundOff * std::max(x_a.norm(), x_b.norm()));
 }
 
 double static_deflection(const Problem& problem) {
@@ -139,10 +145,7 @@ double static_deflection(const Problem& problem) {
   return load / contact_stiffness_scale(problem).minCoeff();
 }
 
-double size_at_rest(const Problem& problem) {
-  constexpr double kAtRest = 1e-6;
-  return kAtRest * static_deflection(problem);
-}
+double size_at_rest(const Problem& problem) { return kAtRest * static_deflection(problem); }
 
 bool near_by(double distance) { return distance <= kNearOrbit; }
 

@@ -69,8 +69,9 @@ inline constexpr double kNearOrbit = 0.5;
 /// Motions within this distance are told to be the same one by a method that chooses its resolution itself.
 inline constexpr double kOwnMotion = 0.1;
 
-/// |x_a - x_b| over the largest of the sizes of x_a and x_b about their means and `least` [m], root mean
-/// squares at so many instants [-].
+/// |x_a - x_b| over the larger of the sizes of x_a and x_b about their means, root mean squares at so many
+/// instants; of two motions smaller than `least`, which are at rest, over the deflection of which `least` is
+/// 1e-6 (size_at_rest) [-].
 double relative_distance(const Trajectory& a, const Trajectory& b, int instants, double least = 0.0);
 
 /// Deflection of the softest contact under the load at its largest, held still [m].

@@ -43,9 +43,9 @@ CheckResult check_origin_shift(const CheckedMethod& checked);
 /// With all stops out of reach the contact force is zero and x is the linear response: to rounding, or with
 /// an error that decays along the ladder.
 CheckResult check_contact_free(const CheckedMethod& checked);
-/// The points of its curve are its solves. Over 2 % of the frequency, from the scene's own on: the answer of
-/// the scene, which is an end of the curve, and those at 1 and 2 % from the answer before are points of a
-/// branch, to CheckSettings::agreement of x.
+/// The points of its curve are its solves. Over 2 % of the frequency, from the scene's own on: the cold
+/// answers at both ends, and in the middle the cold one or that from an end, are points of a branch, to ten
+/// times CheckSettings::agreement of x. A curve that is unfinished is remarked upon.
 CheckResult check_curve(const CheckedMethod& checked);
 
 }  // namespace signorini

@@ -38,8 +38,8 @@ struct Suite {
   std::vector<std::string> tags = {};          ///< a scene that carries one of these belongs too
   std::vector<std::string> without_tags = {};  ///< a scene that carries one of these does not, whatever else
   std::vector<std::string> methods = {};  ///< `name[key=value|value]`: replaces the ladder of what it names
-  std::vector<SuiteResponse> responses = {};  ///< where there are any, the suite is one of responses
-  /// Of a suite of responses: methods whose answers are taken at one frequency after the other, up and down.
+  std::vector<SuiteResponse> responses = {};  ///< whole responses, beside the scenes if any
+  /// For responses: methods whose answers are taken at one frequency after the other, up and down.
   std::vector<std::string> by_steps = {};
   std::vector<ExpectedFailure> expected_failures = {};
   Limits limits = {};

@@ -124,8 +124,10 @@ struct SceneRounds {
   void run_round(int round) {
     std::vector<std::size_t> due = round_order(jobs.size(), schedule.seed, scene.problem.name, round);
     std::erase_if(due, [&](std::size_t index) { return !is_due(records[index], round); });
-    std::ranges::stable_partition(due, [&](std::size_t index) { return kind_of(index) == 0; });
-    if (schedule.parallel > 1) std::ranges::stable_sort(due, {}, [&](std::size_t i) { return kind_of(i); });
+    // Exact responses first, which others are measured against; side by side only what is of one kind.
+    std::ranges::stable_sort(due, {}, [&](std::size_t index) {
+      return schedule.parallel > 1 ? kind_of(index) : std::min(kind_of(index), 1);
+    });
     // One by one where one runs at a time: each is announced before it begins.
     for (std::size_t i = 0, next = 0; i < due.size() && !interrupted(); i = next) {
       do ++next;

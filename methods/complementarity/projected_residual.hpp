@@ -34,8 +34,9 @@ class ProjectedResidual {
   [[nodiscard]] int samples() const { return samples_; }
   /// sqrt(c), Nc.
   [[nodiscard]] const Eigen::VectorXd& root() const { return symbol_.root(); }
-  /// A force, coefficients n = 0..H, (H+1) x Nc [N], as the packed lambda of these equations, and back.
+  /// A force, coefficients n = 0..H, (H+1) x Nc [N], as the packed lambda of these equations.
   [[nodiscard]] Eigen::VectorXd unknowns_of(const Eigen::MatrixXcd& force) const;
+  /// A packed lambda as the force, coefficients n = 0..H, (H+1) x Nc [N].
   [[nodiscard]] Eigen::MatrixXcd force_of(const Eigen::VectorXd& lambda) const;
   /// |R|_2 / |lambda|_2. Short contacts press little on the mean, and much less than the load would: the
   /// force is the scale. Where it lies below the rounding of y, in which the load and the response to the

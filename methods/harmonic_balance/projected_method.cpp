@@ -22,13 +22,8 @@ RepresentedLaw ProjectedMethod::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> ProjectedMethod::prepare(const Problem& problem) const {
-  return prepare_with(problem, common_);
-}
-
-std::unique_ptr<PreparedMethod> ProjectedMethod::prepare_with(const Problem& problem,
-                                                              const HarmonicOptions& common) const {
   return prepare_harmonic_balance(
-      problem, common, [this](const Problem& solved) { return preset(solved); }, solver_of(problem));
+      problem, common_, [this](const Problem& solved) { return preset(solved); }, solver_of(problem));
 }
 
 MakeHarmonicSolver ProjectedMethod::solver_of(const Problem& /*problem*/) const {

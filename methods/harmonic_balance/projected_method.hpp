@@ -34,9 +34,6 @@ class ProjectedMethod : public Method {
 
   /// The options that all share.
   [[nodiscard]] const HarmonicOptions& common() const { return common_; }
-  /// The same with other shared options, as of one number of harmonics.
-  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare_with(const Problem& problem,
-                                                             const HarmonicOptions& common) const;
   /// What it adds for a scene, which outlives the result.
   [[nodiscard]] virtual HarmonicMethod preset(const Problem& problem) const = 0;
 

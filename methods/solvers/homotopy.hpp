@@ -10,8 +10,8 @@ namespace signorini {
 
 /// Steps along a path, in the measure of its parameter: shares of the way, or of a logarithm.
 struct PathSteps {
-  double first = 1.0;
-  double largest = 1.0;
+  double first = 1.0;     ///< tried from the start
+  double largest = 1.0;   ///< after any that was taken
   double smallest = 0.0;  ///< below which the path is given up
   double growth = 2.0;    ///< of a step after one that was taken; one that failed is halved
   int trials = std::numeric_limits<int>::max();  ///< steps that are tried, at most

@@ -88,8 +88,11 @@ class SceneFile:
             lines.append(f"rayleigh = {{ {told} }}")
         lines += ["", "[forcing]", f"frequency = {value_of(self.frequency)}", f"subharmonic = {value_of(self.subharmonic)}"]
         for term in self.loads:
+            power = self.frequency ** term.omega_power  # by which the file's amplitudes grow
             lines += ["", "[[forcing.term]]", f"dof = {value_of(term.dof)}", f"harmonic = {value_of(term.harmonic)}",
-                      f"cos = {value_of(term.cos)}", f"sin = {value_of(term.sin)}"]
+                      f"cos = {value_of(term.cos / power)}", f"sin = {value_of(term.sin / power)}"]
+            if term.omega_power:
+                lines.append(f"omega_power = {value_of(term.omega_power)}")
         for contact in self.contacts:
             normal = ", ".join(f"[{value_of(dof)}, {value_of(factor)}]" for dof, factor in contact.normal.items())
             lines += ["", "[[contact]]", f"normal = [{normal}]", f"gap = {value_of(contact.gap)}"]

@@ -17,7 +17,7 @@ namespace {
 
 TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
   const std::filesystem::path root = test::data_folder() / "../..";
-  for (const std::string run : {"article", "hard", "quick", "structures"}) {
+  for (const std::string run : {"article", "hard", "quick", "responses", "structures"}) {
     const std::filesystem::path folder = root / "results" / run;
     const Evaluation evaluation(read_records(folder / "records.jsonl"), limits_of_run(folder));
     const std::vector<Section> sections = document_sections(run, evaluation);

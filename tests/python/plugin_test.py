@@ -126,7 +126,7 @@ class PythonMethods(support.TemporaryFolder):
 
     def test_follow_their_own_curve(self):
         response = self.scene.branches(0.5, 0.4, self.methods.my_linear, harmonics=2)
-        self.assertEqual((response.method, len(response.branches)), ("my-linear[harmonics=2]", 1))
+        self.assertEqual((response.method, len(response.branches)), ("my-linear", 1))
         self.assertEqual(response.notes, ["nothing more"])
         branch = response.branches[0]
         np.testing.assert_allclose(branch.frequency, np.linspace(0.5, 0.4, 5))
@@ -151,7 +151,7 @@ class PythonMethods(support.TemporaryFolder):
         shown = program.run(["show", "my-linear", "--plugin", str(description)])
         self.assertRegex(shown, r"my-linear: The linear response, where no stop is touched\n")
         self.assertRegex(shown, r"harmonics +4 +\[-\] +highest harmonic kept")
-        self.assertRegex(description.read_text(), r'"linear_methods.py", "my_linear"\]\npersistent = true\nfiles = \["neighbour.py"\]')
+        self.assertRegex(description.read_text(), r'"linear_methods.py", "my_linear"\]\npersistent = true\ncurves = true\nfiles = \["neighbour.py"\]')
 
     def test_must_stand_at_the_top_level_of_a_file(self):
         @method(ladder="", represents={"restitution": 1.0})

@@ -10,6 +10,8 @@
 
 #include "harness/records/json_fields.hpp"
 #include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 
@@ -57,25 +59,45 @@ using Samples = Eigen::MatrixXd;
 
 constexpr std::size_t kMostInstants = 1'000'000;
 
-[[noreturn]] void refuse(const std::string& what) { throw BadRecord(what); }
+[[noreturn]] void refuse_curve(const std::string& what) { throw BadRecord(what); }
+
+/// \throws BadRecord for a key that the struct has not: it may be one that is misspelt
+template <class Struct>
+void require_known_keys(const nlohmann::ordered_json& json) {
+  std::vector<std::string> names;
+  const Struct none;
+  visit_fields(none, [&](const Field& field, const auto&) { names.emplace_back(field.name); });
+  for (const auto& [key, value] : json.items()) {
+    if (std::ranges::find(names, key) == names.end())
+      refuse_curve(fmt::format("{} = unknown (must be one of {})", one_line(key), joined(names, ", ")));
+  }
+}
+
+void require_known_keys_of_branch(const nlohmann::ordered_json& json) {
+  require_known_keys<ExchangedBranch>(json);
+  for (const auto& point : json.at("points")) require_known_keys<ExchangedPoint>(point);
+  if (!json.contains("special")) return;
+  for (const auto& special : json["special"]) require_known_keys<ExchangedSpecial>(special);
+}
 
 /// The rows of a key, one per contact and all of one length, as columns. \throws BadRecord
 Eigen::MatrixXd columns_of(const std::vector<std::vector<double>>& rows, const char* key, int contacts,
                            std::size_t least) {
   if (std::cmp_not_equal(rows.size(), contacts))
-    refuse(fmt::format("{} = {} lists (must be one for each of {} contacts)", key, rows.size(), contacts));
+    refuse_curve(
+        fmt::format("{} = {} lists (must be one for each of {} contacts)", key, rows.size(), contacts));
   const std::size_t length = rows.empty() ? least : rows.front().size();
   if (length < least || length > kMostInstants)
-    refuse(fmt::format("{} = {} numbers (must be {}..{})", key, length, least, kMostInstants));
+    refuse_curve(fmt::format("{} = {} numbers (must be {}..{})", key, length, least, kMostInstants));
   Eigen::MatrixXd columns(length, contacts);
   for (int j = 0; j < contacts; ++j) {
     const std::vector<double>& row = rows[static_cast<std::size_t>(j)];
     if (row.size() != length)
-      refuse(
+      refuse_curve(
           fmt::format("{} = {} and {} numbers (must be as many for each contact)", key, length, row.size()));
     columns.col(j) = Eigen::Map<const Eigen::VectorXd>(row.data(), std::ssize(row));
   }
-  if (!columns.allFinite()) refuse(fmt::format("{} (must be finite numbers)", key));
+  if (!columns.allFinite()) refuse_curve(fmt::format("{} (must be finite numbers)", key));
   return columns;
 }
 
@@ -113,12 +135,12 @@ OrbitStability stability_of(const std::optional<bool>& stable) {
 SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases) {
   constexpr int kLargestOrder = 1000;
   if (!(given.omega > 0.0) || !std::isfinite(given.omega))
-    refuse(fmt::format("omega = {} (must be a positive number)", given.omega));
+    refuse_curve(fmt::format("omega = {} (must be a positive number)", given.omega));
   if (given.order < 1 || given.order > kLargestOrder)
-    refuse(fmt::format("order = {} (must be in 1..{})", given.order, kLargestOrder));
-  if (given.impacts < 0) refuse(fmt::format("impacts = {} (must be 0 or more)", given.impacts));
+    refuse_curve(fmt::format("order = {} (must be in 1..{})", given.order, kLargestOrder));
+  if (given.impacts < 0) refuse_curve(fmt::format("impacts = {} (must be 0 or more)", given.impacts));
   if (given.x.empty() == given.coefficients.empty() && contacts > 0)
-    refuse(fmt::format("point at {} rad/s (must have either x or coefficients)", given.omega));
+    refuse_curve(fmt::format("point at {} rad/s (must have either x or coefficients)", given.omega));
   const Eigen::Index asked = Eigen::Index{phases} * given.order;
   Samples x;
   Eigen::MatrixXd motion;
@@ -129,7 +151,7 @@ SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases)
     constexpr Eigen::Index kPerHarmonic = 32, kFewest = 64;
     const Eigen::MatrixXd series = columns_of(given.coefficients, "coefficients", contacts, 1);
     if (series.rows() % 2 == 0)
-      refuse(fmt::format("coefficients = {} numbers (must be a_0 and pairs a_h, b_h)", series.rows()));
+      refuse_curve(fmt::format("coefficients = {} numbers (must be a_0 and pairs a_h, b_h)", series.rows()));
     x = series_at(series, std::max(kFewest, kPerHarmonic * (series.rows() / 2)));
     if (phases > 0) motion = series_at(series, asked);
   }
@@ -230,17 +252,21 @@ nlohmann::ordered_json follow_request(const ParametrisedScene& scene, const Curv
 }
 
 ExchangedCurve curve_from_json(const nlohmann::ordered_json& json) {
+  require_known_keys<ExchangedCurve>(json);
+  for (const auto& branch : json.at("branches")) require_known_keys_of_branch(branch);
   ExchangedCurve curve;
   read_fields(json, curve);
   if (curve.seconds && !(*curve.seconds >= 0.0))
-    refuse(fmt::format("seconds = {} (must be 0 or more)", *curve.seconds));
+    refuse_curve(fmt::format("seconds = {} (must be 0 or more)", *curve.seconds));
   return curve;
 }
 
 ExchangedBranch branch_from_line(const std::string& line) {
+  const nlohmann::ordered_json json = parse_json(line);
+  require_known_keys_of_branch(json);
   ExchangedBranch branch;
-  read_fields(parse_json(line), branch);
-  if (branch.scene.empty()) refuse("scene = missing (must be the name of the scene)");
+  read_fields(json, branch);
+  if (branch.scene.empty()) refuse_curve("scene = missing (must be the name of the scene)");
   return branch;
 }
 
@@ -248,6 +274,9 @@ BranchDiagram diagram_of(const ExchangedCurve& curve, const ParametrisedScene& s
                          const CurveLimits& limits) {
   BranchDiagram diagram{.branches = {}, .unfinished = curve.unfinished, .notes = curve.notes};
   for (const ExchangedBranch& branch : curve.branches) Clipping(scene, contacts, limits).add(branch, diagram);
+  if (diagram.branches.empty() && diagram.unfinished.empty())
+    diagram.unfinished =
+        fmt::format("no branch of two points or more from {:.6g} to {:.6g} rad/s", scene.low(), scene.high());
   return diagram;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/records/record_json.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/report/formats/screen_groups.hpp"
@@ -100,7 +101,7 @@ std::string list_of(std::span<const PagePart> parts) {
 
 /// Which method for motions, if the run has any.
 std::string opening_of(const Evaluation& evaluation) {
-  return evaluation.results().empty() ? std::string() : verdict_of(evaluation) + side_by_side(evaluation);
+  return shows_motions(evaluation) ? verdict_of(evaluation) + side_by_side(evaluation) : std::string();
 }
 
 /// The sections of responses whole. Names of methods lead to every case: without motions that is here.
@@ -108,7 +109,7 @@ std::string text_of_responses(const Evaluation& evaluation, std::span<const Sect
   std::string text;
   for (const Section* section : of_kinds(sections, {SectionKind::responses})) {
     Section shown = *section;
-    if (evaluation.results().empty() && shown.id == "response-cases") shown.id = "cases";
+    if (!shows_motions(evaluation) && shown.id == "response-cases") shown.id = "cases";
     text += section_of(shown);
   }
   return text;

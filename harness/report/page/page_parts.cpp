@@ -117,7 +117,7 @@ std::string navigation(const Evaluation& evaluation, std::span<const Section> se
   for (const std::string& scene : evaluation.scenes()) scenes += item("scene-" + scene, scene);
   for (const std::string& scene : scenes_followed(evaluation))
     responses += item(response_anchor(evaluation, scene), scene);
-  const bool motions = !evaluation.results().empty();
+  const bool motions = shows_motions(evaluation);
   const std::string whole_responses =
       motions             ? section_items(of_kinds(sections, {SectionKind::responses}))
       : responses.empty() ? ""

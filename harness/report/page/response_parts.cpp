@@ -94,6 +94,10 @@ std::string facts_of_exact(const Record& exact, std::size_t place) {
 
 }  // namespace
 
+bool shows_motions(const Evaluation& evaluation) {
+  return !evaluation.results().empty() || evaluation.responses().empty();
+}
+
 std::vector<std::string> scenes_followed(const Evaluation& evaluation) {
   std::vector<std::string> scenes;
   for (const Record& record : evaluation.responses())

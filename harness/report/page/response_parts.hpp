@@ -11,6 +11,9 @@
 
 namespace signorini {
 
+/// Whether a page is about motions: always but for a run of responses alone.
+bool shows_motions(const Evaluation& evaluation);
+
 /// Scenes with a response, in the order of the evaluation.
 std::vector<std::string> scenes_followed(const Evaluation& evaluation);
 

@@ -17,6 +17,10 @@ namespace signorini {
 
 namespace {
 
+/// Harmonics of a curve where that is left to the method. A branch of the impact oscillator takes a minute
+/// with 80, seconds with 40.
+constexpr int kMostFollowed = 40;
+
 /// Unknowns up to which a Jacobian is factorised at each point.
 constexpr Eigen::Index kMostUnknowns = 3000;
 
@@ -104,9 +108,15 @@ BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod&
     std::vector<std::string> notes;
     std::vector<EndAnswer> answers;
     if (unknowns(harmonics) <= kMostUnknowns) answers = end_answers(scene, method.method, limits, notes);
-    // As many as the answers need where that is left to the method.
+    int needed = harmonics;
     for (const EndAnswer& answer : answers)
-      if (!method.options.harmonics) harmonics = std::max(harmonics, answer.motion->bandwidth().value_or(0));
+      if (!method.options.harmonics) needed = std::max(needed, answer.motion->bandwidth().value_or(0));
+    harmonics = std::max(harmonics, std::min(needed, kMostFollowed));
+    if (needed > harmonics)
+      notes.push_back(
+          fmt::format("the curve has {} harmonics, answers at its ends take {}; --set harmonics={} follows "
+                      "with as many",
+                      harmonics, needed, needed));
     if (unknowns(harmonics) > kMostUnknowns)
       return {.unfinished = fmt::format("{} unknowns are more than {}", unknowns(harmonics), kMostUnknowns)};
     const SeriesFamily family = family_of(scene, method, harmonics);

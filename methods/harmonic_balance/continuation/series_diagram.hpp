@@ -20,7 +20,8 @@ struct SeriesMethod {
 /// crossing branch at branch points, and at the grazing of a contact-free motion those of more periods that
 /// press once (grazing_branch), up to the largest order. What lies on a branch already followed is left out.
 ///
-/// Where the number of harmonics is left to the method, the curve has as many as its answers at both ends.
+/// Where the number of harmonics is left to the method, the curve has as many as its answers at both ends, at
+/// most 40; a note says where these have more.
 ///
 /// Impacts stay as the series has them: folds and doublings are off by O(1/H). Motions of k periods have k
 /// times the harmonics.

@@ -88,7 +88,7 @@ TEST(Conformance, ASoundMethodPasses) {
   // Each check of a scene on each scene, and each had something to look at on the scenes with a stop.
   std::size_t passed = 0;
   for (const CheckResult& result : results) passed += result.outcome == CheckOutcome::passed ? 1 : 0;
-  EXPECT_EQ(results.size(), 3U + 14U * 3U);
+  EXPECT_EQ(results.size(), 3U + 15U * 3U);
   EXPECT_GE(passed, 3U + 14U * 2U);
 }
 

@@ -171,7 +171,12 @@ TEST(RecordJson, ReadsAndWritesTheCommittedRecordsByteByByte) {
       // A setting that an older program did not write is added; nothing else may change.
       if (!Json::parse(line).contains("settings")) json.erase("settings");
       ASSERT_EQ(json.dump(), line) << file << ", record " << records + 1;
-      ASSERT_EQ(record.scene + "/" + resolution_of(record), record.case_id);
+      const std::string way = !record.response                                      ? ""
+                              : record.response->question.way == ResponseWay::steps ? " by steps"
+                                                                                    : " by arc length";
+      const bool exact = record.response && record.response->question.way == ResponseWay::exact;
+      ASSERT_EQ(record.scene + "/" + (exact ? "exact response" : resolution_of(record) + way),
+                record.case_id);
     }
   }
   EXPECT_GT(records, 1000U);

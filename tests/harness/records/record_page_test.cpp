@@ -53,7 +53,7 @@ std::vector<std::pair<Names, std::string>> rows_of(const std::string& part) {
   std::istringstream lines(part);
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("| key |") || line.starts_with("| key of ")) inside = true;
+    if (line.starts_with("| key |")) inside = true;
     if (!line.starts_with("|")) inside = false;
     const Names keys = inside ? quoted_in(line.substr(0, line.find('|', 1))) : Names{};
     if (!keys.empty()) rows.emplace_back(keys, line);

@@ -76,7 +76,7 @@ TEST(ClosedHbm, DoublesNoHarmonicsWhereAContactLasts) {
       test::to_problem({.damping = 0.1, .frequency = 0.4, .gap = -0.3, .restitution = 0.0});
   const Solution found = solve<ClosedHbm>(problem, {});
   EXPECT_EQ(found.verdict, Verdict::not_converged);
-  EXPECT_EQ(found.message, "impacts not closed: a contact lasts: only separate impacts are closed");
+  EXPECT_EQ(found.message, "impacts not closed: a contact lasts: only separate impacts are closed; H = 20");
 }
 
 TEST(ClosedHbm, IsTheLinearResponseWithoutContacts) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -53,13 +54,27 @@ TEST(ProjectedMethod, APenaltyAskedForReplacesASpringOfTheScene) {
       << "updates take it back";
 }
 
-TEST(FollowedMethod, FollowsTheFirstNumberOfHarmonicsWhereThatIsLeftOpen) {
-  const Problem problem = test::to_problem(kStop);
-  const BranchDiagram open = FourierLipschitz({}).follow(problem, 2.15, 2.2, {.max_order = 1});
+TEST(FollowedMethod, FollowsWithAsManyHarmonicsAsItsAnswersHaveWhereThatIsLeftOpen) {
+  constexpr double kFrom = 2.15, kTo = 2.2;
+  const FourierLipschitz open_method({});
+  constexpr int kMostFollowed = 40;
+  int most = 20;
+  for (const double frequency : {kFrom, kTo}) {
+    const Problem problem =
+        test::to_problem({.damping = kStop.damping, .frequency = frequency, .gap = kStop.gap});
+    const Solution answer = open_method.prepare(problem)->solve({});
+    ASSERT_NE(answer.trajectory, nullptr) << answer.message;
+    most = std::max(most, answer.trajectory->bandwidth().value_or(0));
+  }
+  most = std::min(most, kMostFollowed);
+  const ParametrisedScene scene =
+      over_frequency(test::to_problem({.damping = kStop.damping, .gap = kStop.gap}), kFrom, kTo);
+  const BranchDiagram open = open_method.follow(scene, {.max_order = 1});
   const BranchDiagram asked =
-      FourierLipschitz({.common = {.harmonics = 20}}).follow(problem, 2.15, 2.2, {.max_order = 1});
+      FourierLipschitz({.common = {.harmonics = most}}).follow(scene, {.max_order = 1});
   ASSERT_FALSE(open.branches.empty()) << open.unfinished;
   ASSERT_EQ(open.branches.size(), asked.branches.size());
+  EXPECT_EQ(open.branches.front().sequence, asked.branches.front().sequence);
   EXPECT_EQ(open.branches.front().points.size(), asked.branches.front().points.size());
 }
 

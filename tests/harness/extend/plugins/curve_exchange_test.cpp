@@ -69,6 +69,12 @@ TEST(ExchangedCurves, AreCutAtTheEndsOfTheInterval) {
   EXPECT_EQ(found.notes[0], "a point alone at 1.9 rad/s");
 }
 
+TEST(ExchangedCurves, SayWhereThereIsNone) {
+  EXPECT_EQ(diagram({}).unfinished, "no branch of two points or more from 1 to 2 rad/s");
+  EXPECT_EQ(diagram({wave(3.0, 0.0, 1.0), wave(3.1, 0.0, 1.0)}).unfinished,
+            "no branch of two points or more from 1 to 2 rad/s");
+}
+
 TEST(ExchangedCurves, KeepTheLimits) {
   const std::vector<ExchangedPoint> three{wave(1.1, 0.0, 1.0), wave(1.2, 0.0, 1.0), wave(1.3, 0.0, 1.0)};
   const BranchDiagram short_one = diagram(three, {.max_points = 2});
@@ -124,6 +130,8 @@ TEST(ExchangedCurves, AreReadFromJson) {
   EXPECT_EQ(curve.seconds, 0.25);
   EXPECT_THROW(curve_from_json(parse_json(R"({"branches": [], "seconds": -1})")), BadRecord);
   EXPECT_THROW(curve_from_json(parse_json(R"({"branches": [], "surprise": 1})")), BadRecord);
+  EXPECT_THROW(curve_from_json(parse_json(R"({"branches": [{"points": [{"omega": 1.0, "y": [[0.0]]}]}]})")),
+               BadRecord);
   EXPECT_THROW(curve_from_json(parse_json("{}")), std::exception);
 }
 
