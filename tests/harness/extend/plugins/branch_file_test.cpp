@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/extend/plugins/command_method.hpp"
+#include "harness/plan/scene_choice.hpp"
 #include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/problems/temporary_folder.hpp"
