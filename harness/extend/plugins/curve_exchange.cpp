@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "harness/records/json_fields.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
+#include "methods/discretisation/fourier_series.hpp"
 #include "problems/files/toml_tree.hpp"
 
 namespace signorini {
@@ -101,19 +102,16 @@ Eigen::MatrixXd columns_of(const std::vector<std::vector<double>>& rows, const c
   return columns;
 }
 
-/// The series at `count` instants.
-Samples series_at(const Eigen::MatrixXd& coefficients, Eigen::Index count) {
-  Samples x(count, coefficients.cols());
-  for (Eigen::Index i = 0; i < count; ++i) {
-    x.row(i) = coefficients.row(0);
-    for (Eigen::Index row = 1; row < coefficients.rows(); ++row) {
-      const Eigen::Index harmonic = (row + 1) / 2;
-      const double angle =
-          2.0 * std::numbers::pi * static_cast<double>(harmonic * i % count) / static_cast<double>(count);
-      x.row(i) += (row % 2 == 1 ? std::cos(angle) : std::sin(angle)) * coefficients.row(row);
-    }
+/// a_0, a_1, b_1, .. as the coefficients n = 0..H of fourier_series.hpp, x = c_0 + 2 Re sum of c_n e^(i n w
+/// t).
+Eigen::MatrixXcd series_of(const Eigen::MatrixXd& coefficients) {
+  Eigen::MatrixXcd series(coefficients.rows() / 2 + 1, coefficients.cols());
+  series.row(0) = coefficients.row(0).cast<std::complex<double>>();
+  for (Eigen::Index n = 1; n < series.rows(); ++n) {
+    series.row(n).real() = 0.5 * coefficients.row(2 * n - 1);
+    series.row(n).imag() = -0.5 * coefficients.row(2 * n);
   }
-  return x;
+  return series;
 }
 
 /// Between the instants by straight lines, at `count` others.
@@ -149,11 +147,12 @@ SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases)
     if (phases > 0) motion = at_phases(x, asked);
   } else {
     constexpr Eigen::Index kPerHarmonic = 32, kFewest = 64;
-    const Eigen::MatrixXd series = columns_of(given.coefficients, "coefficients", contacts, 1);
-    if (series.rows() % 2 == 0)
-      refuse_curve(fmt::format("coefficients = {} numbers (must be a_0 and pairs a_h, b_h)", series.rows()));
-    x = series_at(series, std::max(kFewest, kPerHarmonic * (series.rows() / 2)));
-    if (phases > 0) motion = series_at(series, asked);
+    const Eigen::MatrixXd pairs = columns_of(given.coefficients, "coefficients", contacts, 1);
+    if (pairs.rows() % 2 == 0)
+      refuse_curve(fmt::format("coefficients = {} numbers (must be a_0 and pairs a_h, b_h)", pairs.rows()));
+    const Eigen::MatrixXcd series = series_of(pairs);
+    x = sample_series(series, static_cast<int>(std::max(kFewest, kPerHarmonic * (series.rows() - 1))));
+    if (phases > 0) motion = sample_series(series, static_cast<int>(asked));
   }
   SolutionPoint point{.parameter = given.omega,
                       .frequency = given.omega,

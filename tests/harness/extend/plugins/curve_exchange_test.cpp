@@ -45,11 +45,14 @@ TEST(ExchangedCurves, HaveTheExtremesOfTheirSeries) {
 
 TEST(ExchangedCurves, GiveTheSameMotionAsSeriesAndAsSamples) {
   constexpr int kPhases = 16, kOrder = 2;
+  const auto wave_at = [](double angle) {
+    return 0.5 + 2.0 * std::cos(angle) - 0.75 * std::sin(angle) + 0.3 * std::sin(2.0 * angle);
+  };
   ExchangedPoint samples{.omega = 1.25, .order = kOrder, .x = {{}}};
   for (int i = 0; i < 4 * kPhases * kOrder; ++i)
-    samples.x[0].push_back(0.5 + 2.0 * std::cos(2.0 * std::numbers::pi * i / (4 * kPhases * kOrder)));
-  const BranchDiagram found =
-      diagram({samples, wave(1.25, 0.5, 2.0, kOrder)}, {.max_order = kOrder, .phases = kPhases});
+    samples.x[0].push_back(wave_at(2.0 * std::numbers::pi * i / (4 * kPhases * kOrder)));
+  const ExchangedPoint series{.omega = 1.25, .order = kOrder, .coefficients = {{0.5, 2.0, -0.75, 0.0, 0.3}}};
+  const BranchDiagram found = diagram({samples, series}, {.max_order = kOrder, .phases = kPhases});
   ASSERT_EQ(found.branches.size(), 1U);
   const std::vector<SolutionPoint>& points = found.branches.front().points;
   ASSERT_EQ(points[0].motion.rows(), kPhases * kOrder);
