@@ -20,7 +20,7 @@ constexpr double kStartFactor = 1.0 / 16.0;
 constexpr PathSteps kHarmonicSteps{.growth = kInfinity, .trials = 20};
 
 /// lambda with zeros for the harmonics that it lacks.
-Eigen::MatrixXcd extended(const Eigen::MatrixXcd& lambda, int harmonics) {
+Eigen::MatrixXcd padded(const Eigen::MatrixXcd& lambda, int harmonics) {
   Eigen::MatrixXcd longer = Eigen::MatrixXcd::Zero(harmonics + 1, lambda.cols());
   const Eigen::Index common = std::min(longer.rows(), lambda.rows());
   longer.topRows(common) = lambda.topRows(common);
@@ -72,7 +72,7 @@ ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const
     const ContactReceptance level = truncated(receptance, next.harmonics);
     const ProjectedLaw law = with_stiffness_factor(law_at(level), next.stiffness_factor);
     ExactProjection exact = project_exactly(
-        {level, gap, law}, extended(lambda, next.harmonics),
+        {level, gap, law}, padded(lambda, next.harmonics),
         {.samples = kResolvingSamples * next.harmonics, .tolerance = tolerance, .deadline = budget.deadline});
     iterations += exact.iterations;
     if (!exact.converged) return false;
