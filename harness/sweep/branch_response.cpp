@@ -167,11 +167,12 @@ Json to_json(const std::vector<MethodResponse>& responses) {
 }
 
 Branch points_at(const Branch& branch, const std::vector<double>& values) {
+  constexpr double kSame = 1e-10;  // of the largest value on the branch
+  double scale = 0.0;
+  for (const SolutionPoint& point : branch.points) scale = std::max(scale, std::abs(point.parameter));
   const auto asked_for = [&](const SolutionPoint& point) {
-    constexpr double kSame = 1e-10;  // of the value
-    return std::any_of(values.begin(), values.end(), [&](double value) {
-      return std::abs(point.parameter - value) <= kSame * std::abs(value);
-    });
+    return std::any_of(values.begin(), values.end(),
+                       [&](double value) { return std::abs(point.parameter - value) <= kSame * scale; });
   };
   Branch result = branch;
   std::erase_if(result.points, [&](const SolutionPoint& point) { return !asked_for(point); });

@@ -144,17 +144,46 @@ double next_step(double length, int iterations, double turn, double largest) {
   return std::min(length * factor, largest);
 }
 
+double longest_step(double usual, double size) {
+  constexpr double kFew = 4.0;
+  return usual * std::max(1.0, size / kFew);
+}
+
+namespace {
+
+constexpr double kAtValue = 1e-12;  // of the interval
+
+}  // namespace
+
 std::optional<StepTarget> first_target(const std::vector<double>& values, double low, double high,
                                        double begin, double end) {
-  constexpr double kAt = 1e-12;
   std::optional<StepTarget> first;
   if (end < low || end > high) first = {.value = std::clamp(end, low, high), .leaves = true};
   for (const double value : values) {
-    const bool passed = (begin - value) * (end - value) < 0.0 && std::abs(begin - value) > kAt;
+    const bool passed =
+        (begin - value) * (end - value) < 0.0 && std::abs(begin - value) > kAtValue * (high - low);
     if (passed && (!first || std::abs(begin - value) < std::abs(begin - first->value)))
       first = {.value = value};
   }
   return first;
+}
+
+bool turns_past(const std::vector<double>& values, double low, double high, const ParameterAt& begin,
+                const ParameterAt& end) {
+  if (!(begin.rate * end.rate < 0.0)) return false;
+  // p' = begin.rate + 2 a s + 3 b s^2 on 0 <= s <= 1, which changes its sign there once.
+  const double rise = end.value - begin.value;
+  const double a = 3.0 * rise - 2.0 * begin.rate - end.rate, b = begin.rate + end.rate - 2.0 * rise;
+  const double q = -(a + std::copysign(std::sqrt(a * a - 3.0 * b * begin.rate), a));
+  const double near = begin.rate / q, far = q / (3.0 * b);
+  const double s = near > 0.0 && near < 1.0 ? near : std::clamp(far, 0.0, 1.0);
+  const double extreme = begin.value + s * (begin.rate + s * (a + s * b));
+  return std::ranges::any_of(values, [&](double value) {
+    if (!(value >= low && value <= high)) return false;
+    const double before = begin.value - value, beyond = extreme - value, after = end.value - value;
+    if (std::abs(before) <= kAtValue * (high - low)) return after * begin.rate < 0.0;
+    return before * beyond < 0.0 && after * beyond < 0.0;
+  });
 }
 
 namespace {

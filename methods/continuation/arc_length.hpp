@@ -153,6 +153,15 @@ Eigen::VectorXd first_tangent(Equations& equations, bool larger) {
 /// \param turn  angle between the tangents at both ends [rad]
 double next_step(double length, int iterations, double turn, double largest);
 
+/// The longest step where the unknowns have this size: `usual` up to a few units, beyond a share of the size,
+/// so that a curve reaches any peak in steps that grow with it. Both in the units of the unknowns.
+double longest_step(double usual, double size);
+
+/// The size of the unknowns beyond which a curve is followed no further, in their units.
+inline constexpr double kMostGrown = 1e6;
+/// Why a curve ends there.
+inline constexpr const char* kGrown = "the motion is more than a million times the unit of the curve";
+
 /// A value of the parameter at which a step has to end.
 struct StepTarget {
   double value = 0.0;
@@ -160,9 +169,21 @@ struct StepTarget {
 };
 
 /// What a step from one value of the parameter to another meets first of several values and the ends of an
-/// interval; empty where it meets none. A value at which the step begins, to 1e-12, does not count.
+/// interval; empty where it meets none. A value at which the step begins, to 1e-12 of the interval, does not
+/// count.
 std::optional<StepTarget> first_target(const std::vector<double>& values, double low, double high,
                                        double begin, double end);
+
+/// One end of a step: the parameter, and its derivative by the length of the step.
+struct ParameterAt {
+  double value = 0.0, rate = 0.0;
+};
+
+/// Whether the parameter turns on a step so that one of several values is passed forth and back, which its
+/// ends do not tell: beyond a value on whose one side both of them lie, or back over one at which the step
+/// begins. The parameter on the step is taken as the cubic through both ends.
+bool turns_past(const std::vector<double>& values, double low, double high, const ParameterAt& begin,
+                const ParameterAt& end);
 
 /// A point of a curve with its tangent, and the step from there that leads to the next one.
 struct CurveStep {

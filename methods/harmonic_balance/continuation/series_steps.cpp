@@ -43,8 +43,9 @@ bool SeriesSteps::take(SeriesStep step) {
   curve_.follow(step.next.depths);
   if (!curve_.evaluate(step.next.z)) return false;
   here_ = std::move(step.next);
-  length_ = std::max(
-      next_step(length_, step.iterations - 1, step.turn, limits_.step_share * StepRules::kLongest), planned_);
+  const double longest =
+      longest_step(limits_.step_share * StepRules::kLongest, here_.x.head(series_.size()).norm());
+  length_ = std::max(next_step(length_, step.iterations - 1, step.turn, longest), planned_);
   planned_ = 0.0;
   if (step.beginning) turn_along_depths(*step.beginning);
   return true;
@@ -125,6 +126,18 @@ std::optional<StepTarget> SeriesSteps::target() const {
                       curve_.frequency());
 }
 
+// Between the last point and the one at which the curve is evaluated.
+bool SeriesSteps::turns_past_value(const Eigen::VectorXd& tangent) const {
+  constexpr double kShortest = 1e-5;  // of steps that are shortened for it
+  const SeriesFamily& family = series_.family();
+  const double rate = length_ * family.frequency_unit;
+  const Eigen::Index last = tangent.size() - 1;
+  return length_ > kShortest &&
+         turns_past(limits_.at, family.low, family.high,
+                    {here_.x[series_.size()] * family.frequency_unit, rate * here_.tangent[last]},
+                    {curve_.frequency(), rate * tangent[last] / tangent.dot(here_.tangent)});
+}
+
 // A branch of few unknown changes, as without contact, still has neighbours for points.
 bool SeriesSteps::moves_too_far() const {
   return StepRules::moves_too_far(series_.motion(), here_.motion,
@@ -145,7 +158,7 @@ std::optional<Eigen::VectorXd> SeriesSteps::next_slope(double& turn) {
   const auto tangent = tangent_of(curve_, here_.tangent);
   if (!tangent) return std::nullopt;
   turn = std::acos(std::clamp(tangent->dot(here_.tangent), -1.0, 1.0));
-  if (turn > StepRules::kTurned) return std::nullopt;
+  if (turn > StepRules::kTurned || turns_past_value(*tangent)) return std::nullopt;
   if (!ceasing_) return curve_.without_depths(*tangent).normalized();
   // Where a depth is zero all else stands still: on along the curve on which that contact is open.
   const Eigen::VectorXd slope = first_tangent(series_);

@@ -67,6 +67,7 @@ class SeriesSteps {
   bool shorten_to(const StepTarget& target);
   [[nodiscard]] std::optional<StepTarget> target() const;
   [[nodiscard]] bool moves_too_far() const;
+  [[nodiscard]] bool turns_past_value(const Eigen::VectorXd& tangent) const;
   std::optional<SeriesStep> arrive(int iterations);
   std::optional<Eigen::VectorXd> next_slope(double& turn);
   std::optional<SeriesStep> begin_contact();

@@ -96,10 +96,9 @@ class SeriesTracer final : public CurveTracer<SeriesStart> {
   }
 
   void accept(SeriesStep step) {
-    constexpr double kUnbounded = 60.0;  // of |x|
     if (!steps_.take(std::move(step))) return finish("the structure resonates undamped");
     append();
-    if (station().x.head(series_.size()).norm() > kUnbounded) return finish("the motion grows without bound");
+    if (station().x.head(series_.size()).norm() > kMostGrown) return finish(kGrown);
     end_if_over();
   }
 

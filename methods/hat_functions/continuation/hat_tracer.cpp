@@ -136,6 +136,8 @@ class HatTracer final : public CurveTracer<HatStart> {
 
  private:
   static constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
+  static constexpr double kShortestTurn =
+      1e-5;  // of steps that are shortened at a turn over a value asked for
 
   [[nodiscard]] double length() const override { return step_; }
   [[nodiscard]] CurveStep whole_step() const { return {x_, tangent_, step_}; }
@@ -164,6 +166,7 @@ class HatTracer final : public CurveTracer<HatStart> {
     const auto tangent = tangent_of(curve_, tangent_);
     if (!tangent || tangent->dot(tangent_) < std::cos(StepRules::kTurned) || moves_too_far())
       return shorten(0.5);
+    if (step_ > kShortestTurn && turns_past_value(*tangent)) return shorten(0.5);
     const Eigen::VectorXd end = curve_.x();
     const auto change = first_change(curve_, whole_step(), just_changed_);
     if (change && change->length < 0.0) return shorten(0.5);  // not to be located on so long a step
@@ -174,7 +177,7 @@ class HatTracer final : public CurveTracer<HatStart> {
                                      end[end.size() - 1] * unit);
     const auto stop =
         target ? length_to_parameter(curve_, whole_step(), end, target->value / unit) : std::nullopt;
-    if (target && target->leaves && !stop) return finish("end of the interval");
+    if (target && !stop) return target->leaves ? finish("end of the interval") : shorten(0.5);
     const bool stops = stop && (*stop < length || (target->leaves && *stop == length));
     if (stops) length = *stop;
     fold_before(length, *tangent);
@@ -184,9 +187,19 @@ class HatTracer final : public CurveTracer<HatStart> {
     if (stops) return end_if_over();
     if (change) change_set(*change);
     if (!is_done()) end_if_over();
+    if (!is_done() && x_.head(curve_.size()).norm() > kMostGrown) finish(kGrown);
   }
 
   void shorten(double factor) { step_ *= factor; }
+
+  // Between the last point and the one at which the curve is evaluated.
+  [[nodiscard]] bool turns_past_value(const Eigen::VectorXd& tangent) const {
+    const HatFamily& family = curve_.family();
+    const double unit = family.frequency_unit, rate = step_ * unit;
+    const Eigen::Index last = tangent.size() - 1;
+    return turns_past(limits().at, family.low, family.high, {x_[last] * unit, rate * tangent_[last]},
+                      {curve_.frequency(), rate * tangent[last] / tangent.dot(tangent_)});
+  }
 
   // Neighbours for points, on a branch of few unknowns too.
   [[nodiscard]] bool moves_too_far() const {
@@ -215,8 +228,9 @@ class HatTracer final : public CurveTracer<HatStart> {
     if (!(length > kNone * step_)) return;
     append();
     just_changed_ = -1;
-    if (length == step_)
-      step_ = next_step(step_, iterations, turn, limits().step_share * StepRules::kLongest);
+    const double longest =
+        longest_step(limits().step_share * StepRules::kLongest, x_.head(curve_.size()).norm());
+    if (length == step_) step_ = next_step(step_, iterations, turn, longest);
   }
 
   // One node joins the pressing ones or leaves them.

@@ -144,11 +144,14 @@ void append_point(const ExtendedEquations& equations, const Station& here, int p
   branch.orbits.push_back(orbit_at(equations));
 }
 
+// |y_0| in CurveUnits.
+double size_of_state(const SequencedOrbit& orbit) {
+  return orbit.x.head(orbit.states()).lpNorm<Eigen::Infinity>();
+}
+
 // Why a curve goes on no further than its last point; else empty.
 std::string why_over(const SequencedOrbit& last, std::size_t points, int max_points) {
-  constexpr double kUnbounded = 60.0;  // |y_0| in CurveUnits
-  if (last.x.head(last.states()).lpNorm<Eigen::Infinity>() > kUnbounded)
-    return "the motion grows without bound";
+  if (size_of_state(last) > kMostGrown) return kGrown;
   if (static_cast<int>(points) >= max_points) return fmt::format("limit of {} points", max_points);
   return {};
 }
@@ -193,6 +196,7 @@ class Tracer {
   // One attempt at a step: taken, or shortened.
   void advance() {
     constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
+    constexpr double kShortestTurn = 1e-6;           // over a value that is asked for
     if (limits_.expired()) return finish("the time is up");
     if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
     const auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
@@ -203,6 +207,7 @@ class Tracer {
     if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
+    if (step_ > kShortestTurn && turns_past_value(*tangent)) return shorten(0.5);
     Station next = station_at(*equations_, *tangent);
     if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
@@ -250,6 +255,16 @@ class Tracer {
     const ParametrisedScene& scene = family_.scene();
     return first_target(limits_.at, scene.low(), scene.high(),
                         here_.x[here_.x.size() - 1] * family_.units().parameter, equations_->parameter());
+  }
+
+  // Between the last point and the one at which the equations are evaluated.
+  [[nodiscard]] bool turns_past_value(const Eigen::VectorXd& tangent) const {
+    const ParametrisedScene& scene = family_.scene();
+    const double unit = family_.units().parameter, rate = step_ * unit;
+    const Eigen::Index last = tangent.size() - 1;
+    return turns_past(limits_.at, scene.low(), scene.high(),
+                      {here_.x[last] * unit, rate * here_.tangent[last]},
+                      {equations_->parameter(), rate * tangent[last] / tangent.dot(here_.tangent)});
   }
 
   bool shorten_to(const StepTarget& target) {
@@ -319,7 +334,9 @@ class Tracer {
     half_way_ = half_way(*equations_);
     append();
     travelled_ += step_;
-    step_ = std::max(next_step(step_, iterations, turn, limits_.step_share * kLongestStep), planned_);
+    const double longest =
+        longest_step(limits_.step_share * kLongestStep, size_of_state(equations_->orbit()));
+    step_ = std::max(next_step(step_, iterations, turn, longest), planned_);
     planned_ = 0.0;
     std::string over = why_over(equations_->orbit(), result_.branch.points.size(), limits_.max_points);
     if (!over.empty()) return finish(std::move(over));

@@ -12,6 +12,7 @@
 #include "harness/failure.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::sweep_points_test {
 namespace {
@@ -41,6 +42,45 @@ TEST(CommandSweep, HasPointsExactlyAtTheValuesAskedFor) {
   }
   EXPECT_EQ(free, 1);
   EXPECT_EQ(impacting, 2);
+}
+
+// The branch of two impacts in two periods turns at 0.44061 (fold) and passes the value before and after.
+TEST(CommandSweep, HasThePointsOnBothSidesOfAFoldBesideAValue) {
+  const test::Outcome outcome = test::run_program(
+      "sweep sdof-stop-e08 --methods exact-orbit --parameter contact[0].gap --from 0.5713259483349847 "
+      "--to 0.2671529230327454 --at 0.44048706933669846 --format json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  int of_two_impacts = 0;
+  for (const auto& branch : nlohmann::json::parse(outcome.out)["branches"])
+    for (const auto& point : branch["points"]) of_two_impacts += point["impacts"] == 2 ? 1 : 0;
+  EXPECT_EQ(of_two_impacts, 2);
+}
+
+// A peak of hundreds of units is on the curve. Of a bilinear oscillator, half waves of 10 and of 100.499
+// rad/s, what the load puts in and the damper takes out are equal at a speed of F a / d, a = 0.8964297 the
+// first harmonic of that motion: an amplitude of 4.9281e-4 m, to the order of the damping, though 2.1e-6 m
+// where the interval begins.
+TEST(CommandSweep, GoesOverAPeakOfHundredsOfUnits) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("peak.toml", R"(schema = 1
+name = "peak"
+title = "code_aster V5.01.101 near its resonance"
+system = { kind = "sdof", mass = 100.0, damping = 1.0, stiffness = 1e4 }
+forcing = { frequency = 18.19006, term = [{ dof = 0, cos = 0.01 }] }
+contact = [{ dof = 0, gap = 0.0 }]
+law = { penalty = 1e6 }
+)");
+  for (const char* method : {"exact-orbit", "penalty-hbm"}) {
+    const test::Outcome outcome = test::run_program("sweep " + file.string() + " --methods " + method +
+                                                    " --from 17 --to 19 --format json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto branches = nlohmann::json::parse(outcome.out)["branches"];
+    ASSERT_EQ(branches.size(), 1U) << method;
+    double largest = 0.0;
+    for (const auto& point : branches[0]["points"])
+      largest = std::max(largest, point["amplitude"][0].get<double>());
+    EXPECT_NEAR(largest, 4.9281e-4, 0.01 * 4.9281e-4) << method;
+  }
 }
 
 TEST(CommandSweep, HasSuchPointsOfTheCurvesOfMethodsToo) {

@@ -132,5 +132,29 @@ TEST(FirstTarget, IsWhatTheStepMeetsFirstOfValuesAndTheEndsOfTheInterval) {
   EXPECT_FALSE(first_target(values, 1.0, 2.0, 1.6, 1.7)) << "where it begins";
 }
 
+TEST(ArcLength, StepsGrowWithTheMotionBeyondAFewUnits) {
+  EXPECT_EQ(longest_step(0.1, 0.5), 0.1);
+  EXPECT_EQ(longest_step(0.1, 3.0), 0.1);
+  EXPECT_GT(longest_step(0.1, 1e3), 10.0);
+}
+
+TEST(FirstTarget, IsToldFromTheBeginningInUnitsOfTheInterval) {
+  const auto near = first_target({1.5e-12}, 0.0, 2e-12, 1e-12, 1.9e-12);
+  ASSERT_TRUE(near);
+  EXPECT_EQ(near->value, 1.5e-12);
+}
+
+// On p = 1.5 - (s - 1/2)^2 / 4, which turns at 1.5 and begins and ends at 1.4375.
+TEST(TurnsPast, IsWhereAFoldLiesBeyondAValueThatBothEndsHaveNotReached) {
+  const ParameterAt begin{1.4375, 0.25}, end{1.4375, -0.25};
+  EXPECT_TRUE(turns_past({1.45}, 1.0, 2.0, begin, end));
+  EXPECT_TRUE(turns_past({1.49}, 1.0, 2.0, begin, end));
+  EXPECT_FALSE(turns_past({1.51}, 1.0, 2.0, begin, end)) << "the fold does not reach it";
+  EXPECT_FALSE(turns_past({1.40}, 1.0, 2.0, begin, end)) << "both ends are beyond it";
+  EXPECT_FALSE(turns_past({1.45}, 1.0, 1.44, begin, end)) << "outside the interval";
+  EXPECT_FALSE(turns_past({1.45}, 1.0, 2.0, begin, {1.6, 0.25})) << "no fold: the ends tell";
+  EXPECT_TRUE(turns_past({1.4375}, 1.0, 2.0, begin, {1.43, -0.3})) << "back over where it begins";
+}
+
 }  // namespace
 }  // namespace signorini::arc_length_test
