@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <ctime>
 #include <fstream>
 
@@ -110,12 +111,15 @@ void take_failure(const SolveFailure& failure, Record& record) {
   record.signal = failure.signal;
 }
 
+bool is_outside(const Case& planned_case) { return !planned_case.choice.entry->plugin.empty(); }
+
 /// The problem as a method is given it: one from outside the tree gets matrices of its own, so that the
-/// harness judges by those of the scene whatever the method writes.
+/// harness judges by those of the scene whatever the method writes, and not the scene's name.
 Problem problem_for(const Case& planned_case, const Problem& problem) {
   Problem given = problem;
-  if (!planned_case.choice.entry->plugin.empty())
-    given.structure = std::make_shared<const Structure>(*problem.structure);
+  if (!is_outside(planned_case)) return given;
+  given.structure = std::make_shared<const Structure>(*problem.structure);
+  given.name = "scene";
   return given;
 }
 
@@ -126,10 +130,54 @@ struct FirstCall {
   PreparedMethod& prepared;
   std::shared_ptr<const Trajectory> start = {};
   double setup = 0.0, solve = 0.0;  // [s]
+  bool outside = false;             ///< the method is from outside the tree
 };
 
-/// The times of a round, and the digest of the last answer it gave after the first call's; nothing where the
-/// first call was the only one.
+/// The same scene to all digits but the last ones of its frequency: other ones whenever it is asked for.
+std::unique_ptr<Problem> with_other_digits(const Problem& problem) {
+  constexpr double kShare = 1e-12;  // of the frequency
+  constexpr std::int64_t kKinds = 4096;
+  const std::int64_t ticks = std::chrono::steady_clock::now().time_since_epoch().count();
+  auto changed = std::make_unique<Problem>(problem);
+  changed->frequency *= 1.0 + kShare * static_cast<double>(1 + ticks % kKinds) / kKinds;
+  return changed;
+}
+
+/// What the solves of a round are asked of. A method from outside the tree may keep its answers, in memory or
+/// on disc, whatever it has been asked: each of its solves is of a scene that is new in its last digits;
+/// where it takes no other frequency, each round.
+class TimedScenes {
+ public:
+  explicit TimedScenes(const FirstCall& first) : first_(first), prepared_(&first.prepared) {
+    if (first.outside) change();
+  }
+
+  [[nodiscard]] const Problem& problem() const { return problem_ ? *problem_ : first_.problem; }
+
+  /// For the next solve.
+  PreparedMethod& next() {
+    if (problem_ && !anew_) change();
+    return *prepared_;
+  }
+
+ private:
+  void change() {
+    std::unique_ptr<Problem> changed = with_other_digits(first_.problem);
+    if (!prepared_->take_frequency(*changed)) {
+      anew_ = first_.method.prepare(*changed);
+      prepared_ = anew_.get();
+    }
+    problem_ = std::move(changed);
+  }
+
+  const FirstCall& first_;
+  std::unique_ptr<Problem> problem_;  // null: the scene as it is
+  std::unique_ptr<PreparedMethod> anew_;
+  PreparedMethod* prepared_;
+};
+
+/// The times of a round, and the digest of the last answer it gave to the scene as it is after the first
+/// call's; nothing where the first call was the only one.
 struct Round {
   TimedRound times;
   std::optional<std::string> latest;
@@ -147,21 +195,22 @@ SolveFailure no_answer(const Solution& solution, const Start& start) {
 Round round_from(const FirstCall& first, const std::string& name, const Limits& limits) {
   Round round;
   std::optional<Solution> latest;
+  TimedScenes scenes(first);
   const auto set_up = [&] {
     std::unique_ptr<PreparedMethod> fresh;
-    return seconds_of([&] { fresh = first.method.prepare(first.problem); });
+    return seconds_of([&] { fresh = first.method.prepare(scenes.problem()); });
   };
   const auto solve = [&] {
     const Start start{.guess = first.start, .deadline = deadline_after(limits.timeout)};
     Solution solution;
-    const double seconds = timed_solve(first.prepared, start, solution);
+    const double seconds = timed_solve(scenes.next(), start, solution);
     if (!has_answer(solution)) throw no_answer(solution, start);
     latest = std::move(solution);
     return seconds;
   };
-  round.times = {.setup = time_round(name + "/setup", set_up, first.setup, {}),
-                 .solve = time_round(name + "/solve", solve, first.solve, {})};
-  if (latest) round.latest = answer_digest(*latest->trajectory);
+  round.times.setup = time_round(name + "/setup", set_up, first.setup, {});
+  round.times.solve = time_round(name + "/solve", solve, first.outside ? solve() : first.solve, {});
+  if (latest && !first.outside) round.latest = answer_digest(*latest->trajectory);
   return round;
 }
 
@@ -202,11 +251,13 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
 void take_summary(const Trial& trial, const Trajectory& answer, const Motion& motion, Record& record) {
   const Problem& problem = trial.scene.problem;
   record.motion = summarise_motion(problem, trial.law, answer, motion, *trial.summary);
-  if (!record.trajectory || record.motion->u.empty()) return;
-  const Eigen::MatrixXd samples =
-      CoordinateMotion(problem, motion, trial.summary->dofs).displacement(trial.samples);
+  if (record.motion->u.empty()) return;
+  const CoordinateMotion field(problem, answer, motion, trial.summary->dofs);
+  if (field.error()) record.message += fmt::format("; u to {:.1e} m", *field.error());
+  if (!record.trajectory) return;
   record.trajectory->dofs = trial.summary->dofs;
-  for (const auto& u : samples.colwise()) record.trajectory->u.emplace_back(u.begin(), u.end());
+  for (const auto& u : field.displacement(trial.samples).colwise())
+    record.trajectory->u.emplace_back(u.begin(), u.end());
 }
 
 }  // namespace
@@ -273,7 +324,9 @@ void TrialSeries::run(const Trial& trial, Record record,
   if (!motion) return;
   static_cast<void>(processor.lap());  // the summary is no stage of its own
   try {
-    take_times(trial, {*problem_, *method_, *prepared_, trial.start, setup, solve}, record);
+    take_times(trial,
+               {*problem_, *method_, *prepared_, trial.start, setup, solve, is_outside(trial.planned_case)},
+               record);
   } catch (const SolveFailure& failure) {
     take_failure(failure, record);
     record.message = kRepeated + record.message;
@@ -311,7 +364,7 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const L
   const double solve = timed_solve(*prepared, begin, solution);
   if (!has_answer(solution)) throw no_answer(solution, begin);
   const std::string answer = answer_digest(*solution.trajectory);
-  const FirstCall first{problem, *method, *prepared, start, setup, solve};
+  const FirstCall first{problem, *method, *prepared, start, setup, solve, is_outside(planned_case)};
   return {.times = round_from(first, planned_case.id, limits).times, .answer = answer};
 } catch (const SolveFailure& failure) {
   return {.message = as_message(failure.what()), .status = failure.status, .signal = failure.signal};

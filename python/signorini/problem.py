@@ -158,5 +158,7 @@ def read_problem(scene: str) -> Problem:
     with tempfile.TemporaryDirectory(prefix="signorini-") as folder:
         description, kept = Path(folder, "reader.toml"), Path(folder, "problem.json")
         description.write_text(READER.replace("COMMAND", json.dumps(["sh", "-c", KEEP, str(kept)])), encoding="utf-8")
-        program.run(["solve", scene, "--method", "reader", "--plugin", description, "--json"], (program.DONE, program.FAILED))
-        return Problem.from_request(json.loads(kept.read_text(encoding="utf-8")))
+        record = program.run(["solve", scene, "--method", "reader", "--plugin", description, "--json"],
+                             (program.DONE, program.FAILED))
+        problem = Problem.from_request(json.loads(kept.read_text(encoding="utf-8")))
+    return replace(problem, name=json.loads(record)["scene"])  # which no method is told

@@ -192,6 +192,28 @@ void describe_reader(const TemporaryFolder& folder, const std::string& then) {
       folder.write("method.toml", "persistent = true\n" + read_file(folder.path() / "method.toml")));
 }
 
+// One that needs 0.3 s for a scene that it does not know, keeps every answer on disc, and tells no time.
+TEST(CommandMethods, AreTimedOnScenesThatTheyDoNotKnow) {
+  const TemporaryFolder folder;
+  const std::string rest = answer("[[0, 0]]");
+  describe(
+      folder,
+      "while read -r line; do\nkey=$(echo \"$line\" | sed 's/\"seconds\":[^,}]*//' | md5sum | cut -c1-32)\n"
+      "[ -e \"$key\" ] || { sleep 0.3; : >\"$key\"; }\necho '" +
+          rest.substr(0, rest.size() - 1) + ", \"seconds\": 0}'\ndone\n");
+  static_cast<void>(
+      folder.write("method.toml", "persistent = true\n" + read_file(folder.path() / "method.toml")));
+  for (int again = 0; again < 2; ++again)
+    EXPECT_GT(solve(folder).at("seconds").at("solve").get<double>(), 0.1);
+}
+
+TEST(CommandMethods, AreNotToldTheNameOfTheScene) {
+  const TemporaryFolder folder;
+  describe(folder, "cat >request.json\necho '{\"verdict\": \"not-converged\"}'\n");
+  solve(folder);
+  EXPECT_EQ(Json::parse(read_file(folder.path() / "request.json")).at("problem").at("name"), "scene");
+}
+
 class LaterAnswers : public testing::TestWithParam<BadAnswer> {};
 
 TEST_P(LaterAnswers, HaveTheStatusOfWhatHappened) {

@@ -21,6 +21,8 @@ using Json = nlohmann::ordered_json;
 constexpr int kExchangeSchema = 1;
 /// Instants at which a motion to start from is handed over.
 constexpr int kStartSamples = 1024;
+/// What every scene is called: answers are found, not looked up.
+constexpr const char* kUnnamed = "scene";
 
 /// Entries as three lists: a million of them is no object each.
 Json write_matrix(const SparseMatrix& matrix) {
@@ -36,8 +38,8 @@ Json write_matrix(const SparseMatrix& matrix) {
   return {{"row", rows}, {"column", columns}, {"value", values}};
 }
 
-Json write_problem(const Problem& problem) {
-  Json force = Json::array(), contacts = Json::array();
+Json write_force(const Problem& problem) {
+  Json force = Json::array();
   for (const ForceTerm& term : problem.force) {
     const std::complex<double> amplitude = force_amplitude(term, problem.frequency);
     Json written{{"dof", term.dof},
@@ -47,9 +49,14 @@ Json write_problem(const Problem& problem) {
     if (term.omega_power > 0) written["omega_power"] = term.omega_power;
     force.push_back(std::move(written));
   }
+  return force;
+}
+
+Json write_problem(const Problem& problem) {
+  Json contacts = Json::array();
   for (const Contact& contact : problem.contacts)
     contacts.push_back({{"normal", contact.normal}, {"gap", contact.gap}});
-  return {{"name", problem.name},
+  return {{"name", kUnnamed},
           {"size", problem.size()},
           {"mass", write_matrix(problem.mass())},
           {"damping", write_matrix(problem.damping())},
@@ -57,7 +64,7 @@ Json write_problem(const Problem& problem) {
           {"frequency", problem.frequency},
           {"subharmonic", problem.subharmonic},
           {"period", problem.period()},
-          {"force", std::move(force)},
+          {"force", write_force(problem)},
           {"contacts", std::move(contacts)},
           {"law", JsonForm<RepresentedLaw>::write(as_represented(problem.law))}};
 }
@@ -170,6 +177,13 @@ Json command_request(const Problem& problem, const std::vector<OptionEcho>& opti
   return {{"schema", kExchangeSchema},
           {"problem", write_problem(problem)},
           {"options", JsonForm<RecordedOptions>::write(values)}};
+}
+
+void take_frequency(Json& request, const Problem& problem) {
+  Json& written = request.at("problem");
+  written["frequency"] = problem.frequency;
+  written["period"] = problem.period();
+  written["force"] = write_force(problem);
 }
 
 std::string command_input(Json request, const Start& start) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -63,6 +64,13 @@ void require_within(double seconds, double passed) {
                   passed));
 }
 
+/// A told time, but of the time that passed at least what a hand-over does not explain: so many seconds, and
+/// so many times what writing the request and reading the answer took here.
+double believed(double told, double passed, double hand_over) {
+  constexpr double kSeconds = 0.02, kTimes = 10.0;
+  return std::max(told, passed - kSeconds - kTimes * hand_over);
+}
+
 /// One scene, its request written.
 class PreparedCommand final : public PreparedMethod {
  public:
@@ -76,27 +84,37 @@ class PreparedCommand final : public PreparedMethod {
 
   Solution solve(const Start& start) override {
     const auto begin = std::chrono::steady_clock::now();
-    CommandAnswer answer = ask(start);
+    const std::clock_t writing = std::clock();
+    const std::string input = command_input(request_, start);
+    const std::clock_t written = std::clock();
+    const CommandEnd end =
+        session_ ? session_->ask(input, start.deadline) : run_command(words_, input, start.deadline);
+    times_.last.reset();
+    if (end.expired) return {.message = "the command was stopped at the time limit"};
+    const std::clock_t reading = std::clock();
+    CommandAnswer answer = read_command_answer(output_of(end), period_);
+    const std::clock_t ticks = (written - writing) + (std::clock() - reading);
+    const double hand_over = static_cast<double>(ticks) / CLOCKS_PER_SEC;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    times_.last = answer.seconds;
-    if (!times_.last) return std::move(answer.solution);
-    require_within(*times_.last, passed.count());
+    if (!answer.seconds) return std::move(answer.solution);
+    require_within(*answer.seconds, passed.count());
+    // What else passes until a command that does not stay answers is its start, or so it says.
+    if (!session_) return std::move(answer.solution);
+    times_.last = believed(*answer.seconds, passed.count(), hand_over);
     times_.least_exchange =
         std::min(times_.least_exchange.value_or(passed.count()), passed.count() - *times_.last);
     return std::move(answer.solution);
   }
 
+  bool take_frequency(const Problem& problem) override {
+    signorini::take_frequency(request_, problem);
+    period_ = problem.period();
+    return true;
+  }
+
   [[nodiscard]] OwnTimes own_times() const override { return times_; }
 
  private:
-  CommandAnswer ask(const Start& start) {
-    const std::string input = command_input(request_, start);
-    const CommandEnd end =
-        session_ ? session_->ask(input, start.deadline) : run_command(words_, input, start.deadline);
-    if (end.expired) return {.solution = {.message = "the command was stopped at the time limit"}};
-    return read_command_answer(output_of(end), period_);
-  }
-
   std::vector<std::string> words_;
   double period_;
   nlohmann::ordered_json request_;
@@ -105,7 +123,8 @@ class PreparedCommand final : public PreparedMethod {
 };
 
 /// Runs the command once for each solve, or once for all of a prepared scene, in a process group of its own
-/// that is killed at the deadline. Its time is the one it tells, else all that passes, its start included.
+/// that is killed at the deadline. Its time is the one that a command that stays tells, as far as it is
+/// believed, else all that passes, its start included.
 /// docs/plugins.md states what it reads and prints.
 class CommandMethod final : public Method, public CurveMethod {
  public:

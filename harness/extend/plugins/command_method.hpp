@@ -65,6 +65,9 @@ CommandDescription read_command_file(const std::filesystem::path& file);
 /// Problem and options, all that is known before a solve.
 nlohmann::ordered_json command_request(const Problem& problem, const std::vector<OptionEcho>& options);
 
+/// The request of the same scene at another frequency of its load.
+void take_frequency(nlohmann::ordered_json& request, const Problem& problem);
+
 /// The text for stdin: the request, with the motion to start from and the seconds until the deadline, one
 /// line.
 std::string command_input(nlohmann::ordered_json request, const Start& start);
