@@ -138,37 +138,68 @@ SampledTrajectory::SampledTrajectory(Data data) : data_(std::move(data)) {
 SampledTrajectory::SampledTrajectory(const Trajectory& source, int count)
     : SampledTrajectory(Data{source.period(), source.sample(count), source.impulses(), source.bandwidth()}) {}
 
+namespace {
+
+/// Where the velocity or the force of a motion may jump, in steps of its samples, ascending in [0, stored).
+std::vector<double> jump_places(const SampledTrajectory::Data& data) {
+  const auto stored = static_cast<double>(data.samples.x.rows());
+  std::vector<double> places;
+  const auto add = [&](double time) {
+    const double place = time / data.period * stored;
+    places.push_back(place < stored ? place : place - stored);
+  };
+  for (const Impulse& impulse : data.impulses) add(impulse.time);
+  for (const ContactEvent& event : data.events.value_or(std::vector<ContactEvent>{})) add(event.time);
+  std::ranges::sort(places);
+  return places;
+}
+
+/// From one stored instant to the next, and on beyond either. Hermite's cubic
+/// x(s) = h00 x_l + h10 step v_l + h01 x_r + h11 step v_r has the stored values and velocities at both ends;
+/// velocity and force are straight lines, for where they jump unsaid a cubic would overshoot.
+void interpolate(const SampledTrajectory::Data& data, int left, double s, Samples& result, int row) {
+  const auto& [x, v, f] = data.samples;
+  const auto stored = static_cast<int>(x.rows());
+  const double step = data.period / stored;
+  const int l = (left + stored) % stored, r = (l + 1) % stored;
+  const double h00 = (1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s), h10 = s * (1.0 - s) * (1.0 - s);
+  const double h01 = s * s * (3.0 - 2.0 * s), h11 = s * s * (s - 1.0);
+  result.x.row(row) = h00 * x.row(l) + h01 * x.row(r) + step * (h10 * v.row(l) + h11 * v.row(r));
+  result.velocity.row(row) = (1.0 - s) * v.row(l) + s * v.row(r);
+  result.force.row(row) = (1.0 - s) * f.row(l) + s * f.row(r);
+}
+
+}  // namespace
+
 Samples SampledTrajectory::sample(int count) const {
   const auto stored = static_cast<int>(data_.samples.x.rows());
   const Eigen::Index contacts = data_.samples.x.cols();
   Samples result{Eigen::MatrixXd(count, contacts), Eigen::MatrixXd(count, contacts),
                  Eigen::MatrixXd(count, contacts)};
-  const double step = data_.period / stored;
-  const auto& [x, v, f] = data_.samples;
+  const std::vector<double> jumps = jump_places(data_);
+  // Jumps strictly between a stored instant and the next one.
+  const auto jumps_after = [&](int left) {
+    const double begin = (left + stored) % stored;
+    return std::ranges::subrange(std::ranges::upper_bound(jumps, begin),
+                                 std::ranges::lower_bound(jumps, begin + 1.0));
+  };
   for (int i = 0; i < count; ++i) {
     // Whole numbers, so that an instant that is stored is met exactly.
     const long place = static_cast<long>(i) * stored;
     const auto left = static_cast<int>(place / count);
     const double s = static_cast<double>(place % count) / count;
-    if (s == 0.0) {
-      result.x.row(i) = x.row(left);
-      result.velocity.row(i) = v.row(left);
-      result.force.row(i) = f.row(left);
-      continue;
+    const auto inside = jumps_after(left);
+    if (s == 0.0 || inside.empty()) {
+      interpolate(data_, left, s, result, i);
+    } else if (left + s < inside.front() && jumps_after(left - 1).empty()) {
+      interpolate(data_, left - 1, 1.0 + s, result, i);
+    } else if (left + s >= *std::prev(inside.end()) && jumps_after(left + 1).empty()) {
+      interpolate(data_, left + 1, s - 1.0, result, i);
+    } else {
+      interpolate(data_, left, s, result, i);
     }
-    const int right = (left + 1) % stored;
-    // Hermite's cubic x(s) = h00 x_l + h10 step v_l + h01 x_r + h11 step v_r has the stored values and
-    // velocities at both ends. Velocity and force may jump at an impact, where a cubic would overshoot:
-    // straight lines.
-    const double h00 = (1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s);
-    const double h10 = s * (1.0 - s) * (1.0 - s);
-    const double h01 = s * s * (3.0 - 2.0 * s);
-    const double h11 = s * s * (s - 1.0);
-    result.x.row(i) =
-        h00 * x.row(left) + h01 * x.row(right) + step * (h10 * v.row(left) + h11 * v.row(right));
-    result.velocity.row(i) = (1.0 - s) * v.row(left) + s * v.row(right);
-    result.force.row(i) = (1.0 - s) * f.row(left) + s * f.row(right);
   }
+  if (!jumps.empty()) result.force = result.force.cwiseMin(data_.samples.force.maxCoeff());
   return result;
 }
 

@@ -13,7 +13,8 @@ namespace signorini {
 
 /// Equidistant samples of one period. At a count that divides the stored one the samples come back bit
 /// by bit; elsewhere x is interpolated by cubics through values and velocities, velocity and force by
-/// straight lines, so jumps are spread over one step.
+/// straight lines. Up to an impulse or event between two instants and from there on they go on as beside it;
+/// a jump that is not listed, or has another within a step, is spread over one step.
 class SampledTrajectory final : public Trajectory {
  public:
   struct Data {

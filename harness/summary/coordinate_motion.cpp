@@ -1,10 +1,12 @@
 #include "harness/summary/coordinate_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "harness/judge/measures/contact_response.hpp"
+#include "harness/records/sampled_trajectory.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/solvers/constants.hpp"
 #include "problems/matrix_properties.hpp"
@@ -17,6 +19,21 @@ namespace {
 /// Harmonics of the load of a motion without a bandwidth of its own.
 constexpr int kCoordinateHarmonics = 512;
 
+/// Coordinates of a structure up to which a state at each instant costs little.
+constexpr int kMostEvaluated = 100;
+/// Harmonics whose largest tells how small those are that are left out: they fall at least as 1 / n^2.
+constexpr Eigen::Index kLastHarmonics = 16;
+/// Instants of a force that is known by samples, over those of the motion.
+constexpr int kFineInstants = 8;
+
+/// The force of an answer at many instants; at those of the motion where it has no more.
+Eigen::MatrixXd fine_force(const Trajectory& answer, const Motion& motion) {
+  const int instants = kFineInstants * motion.count();
+  const Samples fine = answer.sample(instants);
+  return samples_defect(fine, instants, motion.samples.force.cols()).empty() ? fine.force
+                                                                             : motion.samples.force;
+}
+
 constexpr double kPiSquared = kTwoPi * kTwoPi / 4.0;
 
 /// Sums over n >= 1 at an angle in [0, 2 pi): Bernoulli's polynomials.
@@ -28,18 +45,57 @@ double sine_over_n3(double angle) {
 
 }  // namespace
 
-CoordinateMotion::CoordinateMotion(const Problem& problem, const Motion& motion, std::span<const int> dofs)
+CoordinateMotion::CoordinateMotion(const Problem& problem, const Trajectory& answer, const Motion& motion,
+                                   std::span<const int> dofs)
     : base_frequency_(kTwoPi / motion.period()) {
+  exact_ = ExactMotion::of(problem, answer);
+  if (exact_ && problem.size() <= kMostEvaluated && exact_->knows(dofs)) {
+    dofs_.assign(dofs.begin(), dofs.end());
+    u_ = Eigen::MatrixXcd::Zero(1, std::ssize(dofs_));
+    add_frame(problem, motion.order, dofs);
+    return;
+  }
+  exact_.reset();
   ForceSeries series = force_series(problem, motion, kCoordinateHarmonics * motion.order);
+  const Eigen::Index harmonics = series.lambda.rows() - 1;
   // The coordinates are watched as contacts without a force.
   Problem watched = problem;
   for (const int dof : dofs) watched.contacts.push_back({.normal = {{dof, 1.0}}});
-  const auto count = static_cast<Eigen::Index>(dofs.size());
-  series.lambda.conservativeResize(Eigen::NoChange, series.lambda.cols() + count);
-  series.lambda.rightCols(count).setZero();
-  u_ = ContactResponse(watched, std::move(series)).coefficients().rightCols(count);
+  const auto response = [&](const Eigen::MatrixXcd& lambda) -> Eigen::MatrixXcd {
+    const auto count = static_cast<Eigen::Index>(dofs.size());
+    series.lambda = lambda;
+    series.lambda.conservativeResize(Eigen::NoChange, lambda.cols() + count);
+    series.lambda.rightCols(count).setZero();
+    return ContactResponse(watched, series).coefficients().rightCols(count);
+  };
+  if (motion.bandwidth) {
+    u_ = response(series.lambda);
+    add_frame(problem, motion.order, dofs);
+    return;
+  }
+  if (motion.force_coefficients.size() > 0) {
+    u_ = response(series.lambda);
+    error_ = 0.0;
+  } else {
+    const Eigen::MatrixXd force = fine_force(answer, motion);
+    const auto spectrum = [&](const Eigen::MatrixXd& samples) {
+      return force_spectrum(samples, motion.impulses, motion.period(), static_cast<int>(harmonics));
+    };
+    u_ = response(spectrum(force));
+    // What half the instants make of it is farther off, twice at least.
+    const Eigen::MatrixXcd coarse =
+        response(spectrum(force(Eigen::seqN(0, force.rows() / 2, 2), Eigen::all)));
+    error_ = 2.0 * (coarse - u_).cwiseAbs().colwise().sum().maxCoeff();
+  }
+  take_out_kicks(problem, motion, dofs);
+  *error_ += static_cast<double>(harmonics) *
+             u_.bottomRows(std::min(kLastHarmonics, harmonics)).cwiseAbs().maxCoeff();
   add_frame(problem, motion.order, dofs);
-  if (motion.bandwidth || motion.impulses.empty() || !is_definite(problem.mass())) return;
+}
+
+void CoordinateMotion::take_out_kicks(const Problem& problem, const Motion& motion,
+                                      std::span<const int> dofs) {
+  if (motion.impulses.empty() || !is_definite(problem.mass())) return;
   const Eigen::MatrixXd jumps = velocity_jumps(problem);
   const Eigen::MatrixXd retardations =
       SparseCholesky(problem.mass()).solve(Eigen::MatrixXd(problem.damping() * jumps));
@@ -88,6 +144,7 @@ void CoordinateMotion::add_kicks(Eigen::MatrixXd& values, const Add& add) const 
 
 Eigen::MatrixXd CoordinateMotion::displacement(int count) const {
   Eigen::MatrixXd values = sample_series(u_, count);
+  if (exact_) return values + exact_->coordinates(dofs_, count).u;
   // 2 / (T w^2) = 1 / (pi w)
   const double second = -2.0 / (kTwoPi * base_frequency_), third = -second / base_frequency_;
   add_kicks(values, [&](const Kick& kick, double angle) -> Eigen::VectorXd {
@@ -101,6 +158,7 @@ Eigen::MatrixXd CoordinateMotion::velocity(int count) const {
   for (Eigen::Index n = 0; n < rate.rows(); ++n)
     rate.row(n) *= std::complex<double>(0.0, static_cast<double>(n) * base_frequency_);
   Eigen::MatrixXd values = sample_series(rate, count);
+  if (exact_) return values + exact_->coordinates(dofs_, count).v;
   const double first = 2.0 / kTwoPi, second = first / base_frequency_;
   add_kicks(values, [&](const Kick& kick, double angle) -> Eigen::VectorXd {
     return first * sine_over_n(angle) * kick.jump + second * cosine_over_n2(angle) * kick.retardation;

@@ -105,11 +105,11 @@ std::vector<DisplacementSummary> contact_displacements(const Trajectory& answer,
 }
 
 /// The coordinates asked for, or why there are none.
-void take_coordinates(const Problem& problem, const Motion& motion, const RepresentedLaw& law,
-                      const SummaryRequest& request, MotionSummary& summary) {
+void take_coordinates(const Problem& problem, const Trajectory& answer, const Motion& motion,
+                      const RepresentedLaw& law, const SummaryRequest& request, MotionSummary& summary) {
   if (request.dofs.empty()) return;
   try {
-    const CoordinateMotion field(problem, motion, request.dofs);
+    const CoordinateMotion field(problem, answer, motion, request.dofs);
     const Eigen::MatrixXd u = field.displacement(motion.count()), v = field.velocity(motion.count());
     const std::vector<double> jumps = motion.bandwidth ? std::vector<double>() : jump_times(motion, law);
     for (std::size_t i = 0; i < request.dofs.size(); ++i) {
@@ -192,7 +192,7 @@ MotionSummary summarise_motion(const Problem& problem, const RepresentedLaw& law
                                const Motion& motion, const SummaryRequest& request) {
   MotionSummary summary;
   summary.x = contact_displacements(answer, motion, law, request.harmonics);
-  take_coordinates(problem, motion, law, request, summary);
+  take_coordinates(problem, answer, motion, law, request, summary);
   take_contact(law, motion, summary);
   return summary;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "methods/discretisation/contact_phases.hpp"
 
@@ -21,42 +22,83 @@ double mean_speed(const Motion& motion, int contact, int i, int window, int dire
   return direction * (x(i + direction * window) - x(i)) / (window * motion.step());
 }
 
-/// True if no impulse lies in the open-ended stretch (from, to) of instants given in steps, cyclically.
-bool undisturbed(const Motion& motion, const Impulse& self, double from, double to) {
-  const double step = motion.step();
-  return std::none_of(motion.impulses.begin(), motion.impulses.end(), [&](const Impulse& other) {
-    if (&other == &self || other.time == self.time) return false;
-    for (const double turn : {-motion.period(), 0.0, motion.period()}) {
-      const double place = (other.time + turn) / step;
-      if (place > from && place < to) return true;
+/// Samples from which a speed is extrapolated: the error is of order step^6.
+constexpr int kExtrapolatedFrom = 6;
+
+/// The polynomial through values at the places first, first + 1, ..., at `place` [steps].
+double polynomial_at(const std::vector<double>& values, double first, double place) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double weight = values[i];
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      if (j == i) continue;
+      const auto a = static_cast<double>(i), b = static_cast<double>(j);
+      weight *= (place - first - b) / (a - b);
     }
-    return false;
-  });
+    sum += weight;
+  }
+  return sum;
 }
 
-ContactPhase listed_impact(const Motion& motion, const Impulse& impulse) {
-  ContactPhase phase{.contact = impulse.contact,
-                     .begin = impulse.time,
-                     .end = impulse.time,
-                     .impulse = impulse.value,
-                     .listed = true,
-                     .lasting = false,
-                     .speed_before = {},
-                     .speed_after = {}};
-  const int count = motion.count();
-  const double place = impulse.time / motion.step();
-  const int left = static_cast<int>(std::ceil(place)) - 1;
-  const int right = static_cast<int>(std::floor(place)) + 1;
-  const auto v = [&](int i) {
-    return motion.samples.velocity(((i % count) + count) % count, impulse.contact);
-  };
-  if (undisturbed(motion, impulse, left - 1.0, place)) {
-    phase.speed_before = v(left) + (place - left) * (v(left) - v(left - 1));
+/// Speeds that samples tell beside the events of a motion.
+class SampledSpeeds {
+ public:
+  explicit SampledSpeeds(const Motion& motion) : motion_(motion) {
+    for (const Impulse& impulse : motion.impulses) add(impulse.time);
+    for (const ContactEvent& event : motion.events.value_or(std::vector<ContactEvent>{})) add(event.time);
+    std::ranges::sort(places_);
   }
-  if (undisturbed(motion, impulse, place, right + 1.0)) {
-    phase.speed_after = v(right) - (right - place) * (v(right + 1) - v(right));
+
+  /// x' of a contact just before a place [steps]; empty where no sample lies between it and the event before.
+  [[nodiscard]] std::optional<double> before(int contact, double place) const {
+    const auto event = std::ranges::lower_bound(places_, place - kSame);
+    const double earliest = event == places_.begin() ? place - motion_.count() : *std::prev(event);
+    const double last = std::ceil(place - kSame) - 1.0;
+    return from_samples(contact, std::max(std::ceil(earliest - kSame), last - kExtrapolatedFrom + 1.0), last,
+                        place);
   }
-  return phase;
+
+  /// The same just after it: a sample at the event itself is right-sided.
+  [[nodiscard]] std::optional<double> after(int contact, double place) const {
+    const auto event = std::ranges::upper_bound(places_, place + kSame);
+    const double latest = event == places_.end() ? place + motion_.count() : *event;
+    const double first = std::ceil(place - kSame);
+    return from_samples(contact, first,
+                        std::min(std::ceil(latest - kSame) - 1.0, first + kExtrapolatedFrom - 1.0), place);
+  }
+
+ private:
+  // Also a period earlier and later: neighbours across the period's ends.
+  void add(double time) {
+    for (const int turn : {-motion_.count(), 0, motion_.count()})
+      places_.push_back(time / motion_.step() + turn);
+  }
+
+  static constexpr double kSame = 1e-6;  // steps within which two instants are one
+
+  [[nodiscard]] std::optional<double> from_samples(int contact, double first, double last,
+                                                   double place) const {
+    if (last < first) return std::nullopt;
+    std::vector<double> speeds;
+    for (double at = first; at <= last; at += 1.0) {
+      const int index = static_cast<int>(at) % motion_.count();
+      speeds.push_back(motion_.samples.velocity(index < 0 ? index + motion_.count() : index, contact));
+    }
+    return polynomial_at(speeds, first, place);
+  }
+
+  const Motion& motion_;
+  std::vector<double> places_;  // of impulses and events [steps]
+};
+
+ContactPhase listed_impact(const Impulse& impulse, const SpeedsBeside& speeds) {
+  return {.contact = impulse.contact,
+          .begin = impulse.time,
+          .end = impulse.time,
+          .impulse = impulse.value,
+          .listed = true,
+          .speed_before = speeds.before,
+          .speed_after = speeds.after};
 }
 
 /// A phase of force from `begin` to `end`, with the samples first..last inside it (none if last < first).
@@ -100,13 +142,27 @@ double force_scale(const Motion& motion) {
 
 }  // namespace
 
+std::vector<SpeedsBeside> speeds_beside_impulses(const Motion& motion) {
+  std::vector<SpeedsBeside> speeds;
+  for (const ImpactSpeeds& known : motion.speeds) speeds.push_back({known.before, known.after});
+  if (!speeds.empty()) return speeds;
+  const SampledSpeeds sampled(motion);
+  for (const Impulse& impulse : motion.impulses) {
+    const double place = impulse.time / motion.step();
+    speeds.push_back({sampled.before(impulse.contact, place), sampled.after(impulse.contact, place)});
+  }
+  return speeds;
+}
+
 double time_resolution(const Motion& motion) {
   return motion.bandwidth ? motion.period() / (2.0 * std::max(1, *motion.bandwidth)) : motion.step();
 }
 
 std::vector<ContactPhase> contact_phases(const Motion& motion) {
   std::vector<ContactPhase> phases;
-  for (const Impulse& impulse : motion.impulses) phases.push_back(listed_impact(motion, impulse));
+  const std::vector<SpeedsBeside> speeds = speeds_beside_impulses(motion);
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    phases.push_back(listed_impact(motion.impulses[i], speeds[i]));
   const double scale = force_scale(motion);
   const int bridge = std::max(1, static_cast<int>(std::ceil(time_resolution(motion) / motion.step())));
   for (int c = 0; c < static_cast<int>(motion.samples.force.cols()); ++c) {

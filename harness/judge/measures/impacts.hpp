@@ -26,10 +26,20 @@ struct ContactPhase {
 /// resolves everything [s].
 double time_resolution(const Motion& motion);
 
+/// x' of a contact just before and just after an impulse [m/s]; empty where neither is known.
+struct SpeedsBeside {
+  std::optional<double> before = {}, after = {};
+};
+
+/// Beside each of the motion's impulses: the speeds that the motion knows, else those extrapolated from up to
+/// six samples between it and the impulse or event next to it, to the sixth order of the step; empty where no
+/// sample lies between.
+std::vector<SpeedsBeside> speeds_beside_impulses(const Motion& motion);
+
 /// All phases of one period, ordered by begin. A force that acts over several times this resolution, or over
 /// ever so short a time in a motion that lists its impulses, is lasting contact. Speeds beside an impulse
-/// that is listed are extrapolated linearly from the samples on that side; beside a phase of force they are
-/// means over one ripple of the representation (two resolutions).
+/// that is listed are `speeds_beside_impulses`; beside a phase of force they are means over one ripple of the
+/// representation (two resolutions).
 std::vector<ContactPhase> contact_phases(const Motion& motion);
 
 /// Largest share of the period during which one contact pushes with a force, impulses aside [-].

@@ -213,11 +213,12 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
   if (!response.found->load_works()) return {.reason = "the load does no work"};
   // The response to the force of a grid moves a little where the contact holds, and that is all its work.
   const bool rigid = !std::holds_alternative<Penalty>(law);
-  if (rigid && !answer.events && holds_throughout(answer)) return {.reason = "the contacts hold throughout"};
+  if (rigid && !answer.integrated && holds_throughout(answer))
+    return {.reason = "the contacts hold throughout"};
   // What is missed: W_f - W_D is minus the work of the contacts.
   double missed = 0.0;
   try {
-    if (answer.events) {
+    if (answer.integrated) {
       missed = -contact_work(answer, law, contact_gaps(problem));
     } else {
       missed = work - response.found->dissipation();

@@ -47,12 +47,14 @@ Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const
 /// (1 - e) / (2 (1 + e)) p^T G p over impulses p at one instant, G the Delassus matrix; a closing that lasts
 /// loses v_before^2 / (2 G_jj) for e < 1. Penalty and massless laws, and e = 1, lose nothing.
 ///
-/// The response being linear, W_f - W_D is minus the work of the contact force. Of an answer that lists its
-/// events that work is taken from its own motion (`contact_work`), exact where forces jump. Of any other it
-/// is that of the response to the force, harmonic by harmonic; the part of W_D beyond the harmonics that are
-/// summed is then added in closed form for impulses that are listed. Absent, with a reason, where W_f is
-/// zero, the law is undetermined, or the structure has no response or no Delassus matrix; and of an answer
-/// without events whose rigid contacts hold throughout.
+/// The response being linear, W_f - W_D is minus the work of the contact force. It is that of the response to
+/// the force, harmonic by harmonic, whatever the answer's own motion and the events that it lists; the part
+/// of W_D beyond the harmonics that are summed is added in closed form for impulses that are listed. Where
+/// force and motion are one solution of the equation of motion (Motion::integrated) it is taken from that
+/// motion
+/// (`contact_work`), exact where forces jump. Absent, with a reason, where W_f is zero, the law is
+/// undetermined, or the structure has no response or no Delassus matrix; and of an answer that is not
+/// integrated whose rigid contacts hold throughout.
 EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, const Motion& answer);
 
 /// Loss at impacts per period that a restitution e prescribes for the phases found [J].

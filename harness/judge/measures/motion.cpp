@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "harness/judge/measures/contact_response.hpp"
+#include "harness/judge/measures/exact_motion.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/solvers/constants.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 /// Share of the scale of the scene (`scene_length`) that the size of a motion is taken to be at least.
 constexpr double kLeastSize = 0.1;
+/// Harmonics per forcing period of the force of an exact orbit, the most that any measure asks for.
+constexpr int kExactHarmonics = 512;
 /// Digits of x that round-off may have taken, relative to the largest |x|.
 constexpr double kRoundOff = 1e-9;
 
@@ -122,6 +125,12 @@ Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int p
   motion.nodes = trajectory.nodes();
   motion.bandwidth = trajectory.bandwidth();
   motion.force_coefficients = trajectory.force_coefficients();
+  motion.integrated = is_integrated(trajectory);
+  if (const auto exact = ExactMotion::of(problem, trajectory)) {
+    motion.speeds = exact->speeds_beside_impulses();
+    if (per_period == kGrid)
+      motion.force_coefficients = exact->force_coefficients(kExactHarmonics * motion.order);
+  }
   return motion;
 }
 
@@ -155,6 +164,8 @@ Motion thinned(const Motion& motion, int step) {
   result.samples = {every(motion.samples.x), every(motion.samples.velocity), every(motion.samples.force)};
   result.impulses = motion.impulses;
   result.events = motion.events;
+  result.speeds = motion.speeds;
+  result.integrated = motion.integrated;
   result.bandwidth = motion.bandwidth;
   result.force_coefficients = motion.force_coefficients;
   result.least = motion.least;

@@ -18,6 +18,11 @@ inline constexpr int kGrid = 8192;
 /// Two motions of one orbit agree to this, as `distance` measures x; distinct orbits do not.
 inline constexpr double kSameOrbit = 1e-6;
 
+/// Speeds of a contact just before and just after an impulse [m/s].
+struct ImpactSpeeds {
+  double before = 0.0, after = 0.0;
+};
+
 /// One period of a motion at kGrid instants per forcing period. An answer is sampled once; all that is
 /// measured on it is taken from here.
 struct Motion {
@@ -28,7 +33,12 @@ struct Motion {
   std::optional<std::vector<ContactEvent>> events = {};  ///< as Trajectory::events
   std::optional<int> nodes = {};                         ///< as Trajectory::nodes
   std::optional<int> bandwidth = {};                     ///< as Trajectory::bandwidth
-  Eigen::MatrixXcd force_coefficients = {};              ///< as Trajectory::force_coefficients [N]
+  /// As Trajectory::force_coefficients, and of exact orbits in closed form 512 per forcing period [N].
+  Eigen::MatrixXcd force_coefficients = {};
+  std::vector<ImpactSpeeds> speeds = {};  ///< of exact orbits, beside each of `impulses`; else empty
+  /// Between its events force and motion are one solution of the equation of motion: of exact orbits and of
+  /// motions that are integrated from event to event.
+  bool integrated = false;
   /// Sizes of x below this are not told from rest. In an answer (`sample_answer`) a tenth of the size of the
   /// contact-free motion, or of the distance of its mean from the stops where that is less; else 0 [m].
   double least = 0.0;

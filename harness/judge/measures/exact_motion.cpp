@@ -1,0 +1,73 @@
+#include "harness/judge/measures/exact_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "methods/flow/event_trajectory.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
+#include "methods/structure/bases/condensation.hpp"
+
+namespace signorini {
+
+bool is_integrated(const Trajectory& motion) {
+  return dynamic_cast<const ExactTrajectory*>(&motion) != nullptr ||
+         dynamic_cast<const EventTrajectory*>(&motion) != nullptr;
+}
+
+std::optional<ExactMotion> ExactMotion::of(const Problem& problem, const Trajectory& motion) {
+  const auto* exact = dynamic_cast<const ExactTrajectory*>(&motion);
+  // Larger structures are reduced, and their states are those of other coordinates.
+  if (exact == nullptr || problem.size() > kMostInDenseFlow) return std::nullopt;
+  ExactMotion known(problem, *exact);
+  if (exact->at(0.0).v.size() != std::ssize(known.kept_)) return std::nullopt;
+  return known;
+}
+
+ExactMotion::ExactMotion(const Problem& problem, const ExactTrajectory& motion)
+    : motion_(&motion), contacts_(problem.contacts), kept_(condense(problem).kept) {}
+
+Eigen::Index ExactMotion::place_of(int dof) const {
+  const auto place = std::ranges::lower_bound(kept_, dof);
+  return place != kept_.end() && *place == dof ? place - kept_.begin() : -1;
+}
+
+std::vector<ImpactSpeeds> ExactMotion::speeds_beside_impulses() const {
+  // The arcs of both sides are told apart beyond the rounding of an instant.
+  const double aside = 8.0 * std::numeric_limits<double>::epsilon() * motion_->period();
+  std::vector<ImpactSpeeds> speeds;
+  for (const Impulse& impulse : motion_->impulses()) {
+    const State before = motion_->at(impulse.time - aside), after = motion_->at(impulse.time + aside);
+    ImpactSpeeds beside;
+    for (const auto& [dof, coefficient] : contacts_[static_cast<std::size_t>(impulse.contact)].normal) {
+      const Eigen::Index place = place_of(dof);
+      if (place < 0) return {};
+      beside.before += coefficient * before.v[place];
+      beside.after += coefficient * after.v[place];
+    }
+    speeds.push_back(beside);
+  }
+  return speeds;
+}
+
+Eigen::MatrixXcd ExactMotion::force_coefficients(int count) const { return motion_->force_spectrum(count); }
+
+bool ExactMotion::knows(std::span<const int> dofs) const {
+  return std::ranges::all_of(dofs, [this](int dof) { return place_of(dof) >= 0; });
+}
+
+ExactMotion::Coordinates ExactMotion::coordinates(std::span<const int> dofs, int count) const {
+  const auto columns = static_cast<Eigen::Index>(dofs.size());
+  Coordinates found{Eigen::MatrixXd(count, columns), Eigen::MatrixXd(count, columns)};
+  for (int i = 0; i < count; ++i) {
+    const State state = motion_->at(i * (motion_->period() / count));
+    for (Eigen::Index column = 0; column < columns; ++column) {
+      const Eigen::Index place = place_of(dofs[static_cast<std::size_t>(column)]);
+      found.u(i, column) = state.u[place];
+      found.v(i, column) = state.v[place];
+    }
+  }
+  return found;
+}
+
+}  // namespace signorini

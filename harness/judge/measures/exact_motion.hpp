@@ -1,0 +1,53 @@
+#pragma once
+// What an orbit in closed form knows beyond samples at its contacts.
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "harness/judge/measures/motion.hpp"
+#include "methods/solution.hpp"
+#include "methods/structure/state.hpp"
+#include "problems/problem.hpp"
+
+namespace signorini {
+
+class ExactTrajectory;
+
+/// Whether force and motion are one solution of the equation of motion between events (Motion::integrated).
+bool is_integrated(const Trajectory& motion);
+
+/// An exact orbit of a scene in the scene's own coordinates: of all those that have mass.
+class ExactMotion {
+ public:
+  /// Empty where the motion is no exact orbit in closed form, or that of a reduced structure.
+  /// \param motion  kept by the caller
+  static std::optional<ExactMotion> of(const Problem& problem, const Trajectory& motion);
+
+  /// Of the contacts, just beside each of the motion's impulses, to rounding; empty where a contact that
+  /// takes one moves a coordinate without mass [m/s].
+  [[nodiscard]] std::vector<ImpactSpeeds> speeds_beside_impulses() const;
+  /// Fourier coefficients n = 0..count of force and impulses, (count+1) x Nc [N]; empty where the motion is
+  /// no sum of modes between its events.
+  [[nodiscard]] Eigen::MatrixXcd force_coefficients(int count) const;
+  /// Whether all of these coordinates have mass.
+  [[nodiscard]] bool knows(std::span<const int> dofs) const;
+  /// u and u' of coordinates that it knows at `count` equidistant instants from t = 0, right-sided, each
+  /// count x dofs [m], [m/s].
+  struct Coordinates {
+    Eigen::MatrixXd u, v;
+  };
+  [[nodiscard]] Coordinates coordinates(std::span<const int> dofs, int count) const;
+
+ private:
+  ExactMotion(const Problem& problem, const ExactTrajectory& motion);
+  /// Its place among those with mass; -1: it has none.
+  [[nodiscard]] Eigen::Index place_of(int dof) const;
+
+  const ExactTrajectory* motion_;
+  std::vector<Contact> contacts_;
+  std::vector<int> kept_;  // coordinates with mass, ascending
+};
+
+}  // namespace signorini
