@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "harness/judge/equation_defect.hpp"
 #include "harness/judge/measures/contact_agreement.hpp"
+#include "harness/judge/measures/impacts.hpp"
 #include "harness/judge/orbit.hpp"
+#include "methods/discretisation/periodic_time.hpp"
 #include "methods/refinement.hpp"
 
 namespace signorini {
@@ -19,6 +25,37 @@ constexpr double kLargestErrorBar = 1e-6;
 // are found.
 constexpr double kDeepPenetration = 0.5;
 constexpr double kFarFromLaw = 0.5;  // in the mean over time
+// Equation defects beyond which an answer from which no orbit is found is wrong: as far off as an orbit that
+// is not near, and less where an orbit of the scene is known that is not near either.
+constexpr double kOff = kNearOrbit, kOffFarFromKnown = 0.1;
+// Instants of the period from which a motion is shot for, until one finds an orbit.
+constexpr int kShootings = 4;
+// Penetration counts so many times: a tenth of the amplitude is as much as half of the motion.
+constexpr double kPenetrationWeight = 5.0;
+
+/// The middle of the longest time in which no contact pushes: where a shooting begins, wherever the answer
+/// does [s].
+double quiet_instant(const Motion& motion) {
+  const std::vector<ContactPhase> phases = contact_phases(motion);  // in order
+  if (phases.empty()) return 0.0;
+  double reached = 0.0;  // by the phases so far, those that go on at the beginning of the period included
+  for (const ContactPhase& phase : phases) reached = std::max(reached, phase.end - motion.period());
+  const double first = reached;
+  double longest = -1.0, middle = 0.0;
+  const auto look = [&](double from, double to) {
+    if (to - from <= longest) return;
+    longest = to - from;
+    middle = 0.5 * (from + to);
+  };
+  std::optional<double> opening;  // of the first phase
+  for (const ContactPhase& phase : phases) {
+    if (opening) look(reached, phase.begin);
+    if (!opening) opening = std::max(first, phase.begin);
+    reached = std::max(reached, phase.end);
+  }
+  look(reached, *opening + motion.period());
+  return wrapped_time(middle, motion.period());
+}
 
 /// The attempts to certify one answer, each true where it succeeds.
 class Attempts {
@@ -38,19 +75,14 @@ class Attempts {
 
   /// By an orbit found from the answer, at the answer's own phase.
   bool take(const CertifiedOrbit& found) {
-    if (!found.motion) {
-      add_reason(found.reason, nothing_found_);
-      return false;
-    }
+    if (!found.motion) return set_aside(found.unconfirmed.get(), found.reason);
     if (!(found.error_bar <= kLargestErrorBar)) {
-      add_reason(fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar),
-                 nothing_found_);
-      return false;
+      return set_aside(found.motion.get(),
+                       fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar));
     }
     Motion orbit = sample_motion(problem_, *found.motion);
     const double apart = distance_from(orbit);
-    std::optional<double>& nearest = result.certificate.distance;
-    if (!nearest || apart < *nearest) nearest = apart;
+    take_distance(apart);
     result.certificate.source = found.source;
     const ContactDifference contacts = contact_difference(problem_, motion_, orbit);
     const std::string name = fmt::format("the orbit that it leads to ({})", found.source);
@@ -72,13 +104,16 @@ class Attempts {
   /// Whether an orbit was found near the answer that is not its own: another way leads there too.
   [[nodiscard]] bool near() const { return !near_.empty(); }
 
-  /// Says why there is no certificate. An orbit near by, or a search without an end, speaks against calling
-  /// the answer wrong.
-  void give_up(Deadline deadline) {
+  /// Says why there is no certificate. What is near, an orbit or what may be one, speaks against calling the
+  /// answer wrong; the orbits found, all far away, speak for it; where none was found, the answer itself.
+  void give_up(Deadline deadline, KeptSpace& spaces) {
     Certificate& certificate = result.certificate;
     certificate.expired = std::chrono::steady_clock::now() > deadline;
-    if (near_.empty() && nothing_found_.empty()) certificate.refutation = refutation_;
-    for (const std::string& reason : {near_, refutation_, nothing_found_}) {
+    if (near_.empty() && !may_be_near_) {
+      if (refutation_.empty() && !certificate.distance) refutation_ = own_defect(spaces);
+      certificate.refutation = refutation_;
+    }
+    for (const std::string& reason : {near_, certificate.refutation, nothing_found_, refutation_}) {
       if (certificate.reason.empty()) certificate.reason = reason;
     }
   }
@@ -87,8 +122,54 @@ class Attempts {
 
  private:
   static void add_reason(const std::string& reason, std::string& reasons) {
+    if (reasons.find(reason) != std::string::npos) return;  // both ways were out of time
     if (!reasons.empty()) reasons += "; ";
     reasons += reason;
+  }
+
+  void take_distance(double apart) {
+    std::optional<double>& nearest = result.certificate.distance;
+    if (!nearest || apart < *nearest) nearest = apart;
+  }
+
+  /// What is no orbit for a reason, and may yet be one near the answer. \return false
+  bool set_aside(const Trajectory* candidate, const std::string& reason) {
+    if (candidate != nullptr) {
+      const double apart = distance_from(sample_motion(problem_, *candidate));
+      if (apart <= kNearOrbit) {
+        may_be_near_ = true;
+        take_distance(apart);
+      }
+      add_reason(fmt::format("{}, {:.2g} away", reason, apart), nothing_found_);
+    } else {
+      add_reason(reason, nothing_found_);
+    }
+    return false;
+  }
+
+  /// By how much the answer is off the equations of its scene, where that is too much for an answer near an
+  /// orbit; else empty.
+  [[nodiscard]] std::string own_defect(KeptSpace& spaces) const {
+    std::optional<double> known_apart;
+    if (from_rest_) known_apart = distance(motion_, *from_rest_, best_shift(motion_, *from_rest_)).x_l2;
+    if (known_apart && *known_apart <= kNearOrbit) return {};  // though it does not lead there
+    const double allowed = known_apart ? kOffFarFromKnown : kOff;
+    const EquationDefect off = equation_defect(problem_, motion_, spaces);
+    const std::string known =
+        known_apart ? fmt::format(", and {:.2g} from the motion reached from rest", *known_apart) : "";
+    if (off.motion > allowed) {
+      return fmt::format(
+          "no orbit is found from it, and it is {:.2g} of its size away from the response to its "
+          "own contact force{}",
+          off.motion, known);
+    }
+    if (kPenetrationWeight * off.penetration > allowed) {
+      return fmt::format(
+          "no orbit is found from it, and it passes the stop by {:.2g} amplitudes more than its "
+          "resolution explains{}",
+          off.penetration, known);
+    }
+    return {};
   }
 
   [[nodiscard]] double distance_from(const Motion& orbit) const {
@@ -121,6 +202,7 @@ class Attempts {
   const Reference& reference_;
   std::optional<Motion> from_rest_;
   std::string near_, refutation_, nothing_found_;  // reasons
+  bool may_be_near_ = false;                       // what is no confirmed orbit
 };
 
 }  // namespace
@@ -134,10 +216,17 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
     return tools.polish && attempts.take(tools.polish(same_order, *answer, reference.confirmed, deadline));
   };
   const auto shot = [&] {
-    return attempts.take(find_orbit(same_order, tools.solver, shooting_options(),
-                                    {.guess = answer, .deadline = deadline}, kLargestErrorBar));
+    PeriodicMotionOptions options = shooting_options();
+    CertifiedOrbit orbit;
+    for (int k = 0; k < kShootings && !orbit.motion; ++k) {
+      options.begin = wrapped_time(quiet_instant(motion) + k * motion.period() / kShootings, motion.period());
+      orbit = find_orbit(same_order, tools.solver, options, {.guess = answer, .deadline = deadline},
+                         kLargestErrorBar);
+      if (std::chrono::steady_clock::now() > deadline) break;
+    }
+    return attempts.take(orbit);
   };
-  if (!polished() && (attempts.near() || !shot())) attempts.give_up(deadline);
+  if (!polished() && (attempts.near() || !shot())) attempts.give_up(deadline, *tools.spaces);
   return std::move(attempts.result);
 }
 

@@ -20,18 +20,21 @@ struct CertifiedAnswer {
 };
 
 /// Looks for the orbit of `problem` (under the law that the answer represents) behind an answer, from the
-/// answer and from nothing else:
+/// answer and from nothing else, beginning at its quiet instants wherever its period begins:
 ///
 /// 1. the exact orbit that the answer polishes to, confirmed by CVODE; of large structures on a reduced one,
 ///    corrected by the response of the whole (`exact_orbits`)
-/// 2. shooting at 1e-11 from the answer, repeated at 1e-12 for the error bar
+/// 2. shooting at 1e-11 from the answer, from up to four of its instants, repeated at 1e-12 for the error bar
 ///
 /// The answer is certified by an orbit whose error bar is at most 1e-6, which lies within kOwnOrbit, and
-/// whose contacts are the answer's (`contact_difference`). Else it is uncertified, and the reason is that of
-/// the attempts: the orbit found is near (kNearOrbit) but not the answer's own; or far away, or it
-/// contradicts the answer's contacts, which is a refutation; or none was found. `distance` is that of the
-/// nearest orbit found. An answer without contact coordinates is certified by any orbit. The reference only
-/// tells whether the orbit is the one that is reached from rest.
+/// whose contacts are the answer's (`contact_difference`). Else it is uncertified. It is refuted where the
+/// nearest orbit found is farther away than kNearOrbit, or contradicts the answer's contacts; and where none
+/// is found and the answer is off the equations of its own scene (`equation_defect`) by more than an answer
+/// near an orbit is, less where the reference is known to be far away, not at all where it is near. Not so
+/// where another orbit is near, or a motion that lacks nothing but its confirmation
+/// (CertifiedOrbit::unconfirmed). `distance` is that of the nearest of all these. An answer without contact
+/// coordinates is certified by any orbit. A reference certifies nothing; it tells whether the orbit is the
+/// one that is reached from rest.
 ///
 /// \param answer  what the method returned
 /// \param motion  the same, sampled by `sample_answer`

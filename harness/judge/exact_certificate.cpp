@@ -8,6 +8,7 @@
 #include <exception>
 #include <functional>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 #include "harness/judge/orbit.hpp"
@@ -89,6 +90,14 @@ std::optional<double> known_return(const CertifiedOrbit& orbit, std::span<const 
   return std::nullopt;
 }
 
+/// Whether what is no orbit fails by so little that one may be there: an impact grazes, or a stop is passed
+/// by less than the least approach that an impact has.
+bool almost_an_orbit(const ExactOrbit& found) {
+  constexpr double kHardly = 1e-6;  // of the motion
+  return found.outcome == OrbitOutcome::grazing ||
+         (found.outcome == OrbitOutcome::not_admissible && found.admissibility.violation <= kHardly);
+}
+
 CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
                       std::span<const Certificate> confirmed, Deadline deadline) {
   const auto expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
@@ -100,7 +109,8 @@ CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
   const ExactOrbit& found = search.orbit;
   if (!found.certified()) {
     return {.reason = found.reason.empty() ? describe(found.outcome)
-                                           : describe(found.outcome) + ": " + found.reason};
+                                           : describe(found.outcome) + ": " + found.reason,
+            .unconfirmed = almost_an_orbit(found) ? found.trajectory : nullptr};
   }
   const ContactDynamics& dynamics = finder.model()->dynamics;
   CertifiedOrbit orbit{.motion = found.trajectory, .residual = found.residual};
@@ -110,13 +120,19 @@ CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
   orbit.events = events_of(*found.trajectory);
   orbit.return_distance = known_return(orbit, confirmed, problem.period());
   if (!orbit.return_distance) {
-    const ReturnCheck check = cvode_return(dynamics, *found.trajectory, expired);
-    if (!check.returned) {
-      return {.reason =
-                  fmt::format("an exact orbit, but CVODE returns {:.1e} away from it where {:.1e} is allowed",
-                              check.distance, check.allowed)};
+    try {
+      const ReturnCheck check = cvode_return(dynamics, *found.trajectory, expired);
+      if (!check.returned) {
+        return {.reason = fmt::format(
+                    "an exact orbit, but CVODE returns {:.1e} away from it where {:.1e} is allowed",
+                    check.distance, check.allowed),
+                .unconfirmed = found.trajectory};
+      }
+      orbit.return_distance = check.distance;
+    } catch (const std::runtime_error& error) {  // the flow fails, or the time is up
+      return {.reason = fmt::format("an exact orbit, but CVODE does not follow it: {}", error.what()),
+              .unconfirmed = found.trajectory};
     }
-    orbit.return_distance = check.distance;
   }
   take_multipliers(found, orbit);
   return orbit;

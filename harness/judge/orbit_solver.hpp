@@ -21,11 +21,14 @@ namespace signorini {
 struct CertifiedOrbit {
   std::shared_ptr<const Trajectory> motion = {};  ///< null: none was found
   std::string reason = {};                        ///< why there is none
-  double error_bar = 0.0;                         ///< relative x_l2 [-]
-  std::optional<double> residual = {};            ///< of the orbit solver's own equations [-]
-  std::string source = {};                        ///< how it was found
-  std::vector<OrbitEvent> events = {};            ///< exact orbits only, as is what follows
-  std::optional<double> return_distance = {};     ///< of one period by CVODE, in the scales of the motion [-]
+  /// Where there is none: a motion that solves the equations of one, and that `reason` keeps from being known
+  /// to be one, as where CVODE does not come back to it or it grazes a stop; null: none either.
+  std::shared_ptr<const Trajectory> unconfirmed = {};
+  double error_bar = 0.0;                      ///< relative x_l2 [-]
+  std::optional<double> residual = {};         ///< of the orbit solver's own equations [-]
+  std::string source = {};                     ///< how it was found
+  std::vector<OrbitEvent> events = {};         ///< exact orbits only, as is what follows
+  std::optional<double> return_distance = {};  ///< of one period by CVODE, in the scales of the motion [-]
   std::optional<FloquetMultipliers> floquet = {};
   std::optional<bool> stable = {};
 };

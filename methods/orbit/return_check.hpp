@@ -19,10 +19,11 @@ struct ReturnCheck {
 /// CVODE's own error is taken as 3e-11 times the growth of errors over a period. A stiff structure, whose
 /// fastest modes it follows through thousands of oscillations, may leave it more: where the orbit is missed
 /// by more than that, the error is measured, as four times the distance to a run with ten times the local
-/// tolerance, and believed up to 1e-6. By Adams' method; where that does not return, by backward
-/// differentiation too: the check is that of the two which comes nearer. By the latter alone where a stiff
-/// structure (FlowStructure::stiff) would take Adams' method more than 1e5 steps. `distance` is what the
-/// orbit is confirmed to.
+/// tolerance, and believed up to 1e-6 times the
+/// largest Floquet multiplier, where that is above 1, and up to 1e-3: the orbit itself is as much nearer. By
+/// Adams' method; where that does not return, by backward differentiation too: the check is that of the two
+/// which comes nearer. By the latter alone where a stiff structure (FlowStructure::stiff) would take Adams'
+/// method more than 1e5 steps. `distance` is what the orbit is confirmed to.
 ///
 /// \param dynamics  of the scene that `orbit` was found on
 /// \throws FlowError, IntegrationError if the flow fails

@@ -14,21 +14,20 @@ namespace signorini {
 
 namespace {
 
-// At rest at time 0, or where the guess is. What a Trajectory shows is the contacts: the state behind it is
-// the structure's periodic response to its contact force, which takes a structure with only one such
-// response, and at time 0, where an impact may be. A motion that a flow has left knows more than the
-// interface asks for, its own state between two events, so that what is continued from it is the very orbit,
-// unstable or not: hence the cast.
+// At rest at time 0, or where the guess is at the instant `begin`. What a Trajectory shows is the contacts:
+// the state behind it is the structure's periodic response to its contact force, which takes a structure with
+// only one such response, and at an instant where an impact may be. A motion that a flow has left knows more
+// than the interface asks for, its own state between two events, so that what is continued from it is the
+// very orbit, unstable or not: hence the cast.
 FlowState first_state(const Problem& problem, const ContactDynamics& dynamics, const Start& start,
-                      const EventFlow& flow) {
+                      double begin, const EventFlow& flow) {
   if (!start.guess) return flow.place(0.0, dynamics.at_rest());
   const auto* followed = dynamic_cast<const EventTrajectory*>(start.guess.get());
   if (followed != nullptr && followed->start().state.u.size() == dynamics.positions()) {
-    return flow.place(std::fmod(followed->start().time, dynamics.structure().forcing_period),
-                      followed->start().state);
+    return flow.place(std::fmod(followed->start().time, problem.period()), followed->start().state);
   }
-  const State whole = PeriodicResponse(problem, *start.guess).at(0.0);
-  return flow.place(0.0, dynamics.with_mass(whole, contact_directions(problem).transpose() * whole.u));
+  const State whole = PeriodicResponse(problem, *start.guess).at(begin);
+  return flow.place(begin, dynamics.with_mass(whole, contact_directions(problem).transpose() * whole.u));
 }
 
 std::shared_ptr<const Trajectory> recorded(PeriodMap& map, const FixedPoint& found) {
@@ -45,7 +44,7 @@ void search(const Problem& problem, const ContactDynamics& dynamics, PeriodicMot
   constexpr int kForgotten = 20;  // periods after which the start from rest of a shooting matters no more
   const std::function<bool()> expired = [&start] { return start.expired(); };
   options.max_order = std::max(options.max_order, problem.subharmonic);
-  FlowState state = first_state(problem, dynamics, start, map.flow());
+  FlowState state = first_state(problem, dynamics, start, options.begin, map.flow());
   if (options.shooting && !start.guess) {
     FlowRecord record;
     map.apply(state, kForgotten * problem.subharmonic, record);

@@ -18,6 +18,7 @@ struct PeriodicMotionOptions {
   Integrator integrator = Integrator::cvode;  ///< of the motion between events
   int max_iterations = 5000;                  ///< periods marched, or Newton steps of the shooting [-]
   int max_order = 8;                          ///< highest period order that marching detects [-]
+  double begin = 0.0;                         ///< instant of a guess that is no flow's, to start from [s]
 
   /// Residual that counts as periodic: ten tolerances, but not below the noise left by the integration [-].
   [[nodiscard]] double accepted() const;

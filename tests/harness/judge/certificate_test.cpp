@@ -77,6 +77,56 @@ TEST(Certify, IsNotByAnOrbitThatIsOnlyNear) {
   EXPECT_NE(far.refutation, "");
 }
 
+/// Polishes every answer to nothing, or to a motion that is not confirmed.
+OrbitPolisher unconfirmed(std::shared_ptr<const Trajectory> candidate = {}) {
+  return [=](const Problem&, const Trajectory&, std::span<const Certificate>, Deadline) {
+    return CertifiedOrbit{.reason = "CVODE does not come back", .unconfirmed = candidate};
+  };
+}
+
+// Claims 0.6 to 74 away from the only orbit found were left open because the other search had failed.
+TEST(Certify, RefutesByDistanceWhicheverSearchFails) {
+  const Reference none{.orbit = {}, .reason = "chaos"};
+  const OrbitTools polished{test::fails(), test::polishes_to(1.0, 1e-13)},
+      shot{test::finds(1.0, 1.0), unconfirmed()};
+  for (const OrbitTools& tools : {polished, shot}) {
+    const Certificate far = certified(test::scaled(1.6), none, tools).certificate;
+    EXPECT_NE(far.refutation.find("0.6 away"), std::string::npos) << far.reason;
+    EXPECT_NEAR(far.distance.value(), 0.6, 1e-12);
+    EXPECT_EQ(certified(test::scaled(1.4), none, tools).certificate.refutation, "");
+  }
+}
+
+TEST(Certify, DoesNotRefuteWhatIsNearAMotionThatIsNotConfirmed) {
+  const Reference none{.orbit = {}, .reason = "chaos"};
+  const OrbitTools tools{test::finds(1.0, 1.0), unconfirmed(test::scaled(3.0))};
+  const Certificate open = certified(test::scaled(2.9), none, tools).certificate;
+  EXPECT_EQ(open.status, CertificateStatus::uncertified);
+  EXPECT_EQ(open.refutation, "");
+  EXPECT_NE(open.reason.find("CVODE does not come back"), std::string::npos) << open.reason;
+  EXPECT_NEAR(open.distance.value(), 0.1 / 3.0, 1e-12);
+  EXPECT_NE(certified(test::scaled(5.0), none, tools).certificate.refutation, "");
+}
+
+// Three times the contact-free motion, without a contact force, is the response to no force that it shows.
+TEST(Certify, RefutesWhatIsOffItsOwnEquationsWhereNoOrbitIsFound) {
+  const Reference none{.orbit = {}, .reason = "chaos"};
+  const OrbitTools tools{test::fails("diverged"), unconfirmed()};
+  const Certificate wrong = certified(test::scaled(3.0), none, tools).certificate;
+  EXPECT_NE(wrong.refutation.find("response to its own contact force"), std::string::npos) << wrong.reason;
+  EXPECT_EQ(certified(test::scaled(1.3), none, tools).certificate.refutation, "");
+}
+
+TEST(Certify, AsksLessOfAKnownOrbitThatIsFarAwayAndNothingOfOneNearBy) {
+  const Reference known = compute_reference(test::one_mass(), test::finds(3.0, 3.0), Deadline::max());
+  const OrbitTools tools{test::fails("diverged"), unconfirmed()};
+  const Certificate far = certified(test::scaled(1.3), known, tools).certificate;
+  EXPECT_NE(far.refutation.find("from the motion reached from rest"), std::string::npos) << far.reason;
+  EXPECT_EQ(certified(test::scaled(1.0), known, tools).certificate.refutation, "")
+      << "it solves its equations";
+  EXPECT_EQ(certified(test::scaled(3.1), known, tools).certificate.refutation, "") << "a known orbit is near";
+}
+
 /// The contact-free motion of one mass, with a contact force that it does not have.
 std::shared_ptr<const Trajectory> pushed(double impulse) {
   const auto free = test::free_motion(test::one_mass());

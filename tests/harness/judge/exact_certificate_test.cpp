@@ -46,6 +46,25 @@ TEST(ExactOrbits, PolishACoarseAnswerToTheClosedFormOrbitWithItsMultipliers) {
   EXPECT_LE(orbit.return_distance.value(), 1e-9);
 }
 
+// Seven periods of the load, two multipliers, one of 3.2e4: CVODE comes back to 1e-6 only, which is 3e-11 of
+// the orbit. Whatever instant the load, and with it the answer, begins at, the judgement is the same.
+TEST(Certificates, OfAnUnstableOrbitAreTheSameFromEveryPhase) {
+  Problem problem = test::to_problem({.damping = 0.02, .frequency = 7.1, .gap = 0.01, .restitution = 0.9});
+  problem.subharmonic = 7;
+  const ForceTerm load = problem.force.front();
+  for (const double phase : {0.0, 0.9, 2.5, 4.4}) {
+    problem.force.front().cos = load.cos * std::cos(phase) - load.sin * std::sin(phase);
+    problem.force.front().sin = load.cos * std::sin(phase) + load.sin * std::cos(phase);
+    const auto answer = test::solve<HatLcp>(problem, {.samples = 4096}).trajectory;
+    ASSERT_NE(answer, nullptr);
+    const SampledAnswer sampled = sample_answer(problem, *answer);
+    const Certificate certificate =
+        certify(problem, answer, sampled.motion, {}, orbit_tools(), deadline_after(60.0)).certificate;
+    EXPECT_EQ(certificate.status, CertificateStatus::certified) << phase << ": " << certificate.reason;
+    EXPECT_EQ(certificate.order, 7) << phase;
+  }
+}
+
 TEST(ExactOrbits, AreNotFollowedAgainWhereOneWithTheirEventsIsConfirmed) {
   const Problem problem = test::to_problem(kStop);
   const std::shared_ptr<const Trajectory> answer = coarse_answer(problem);
