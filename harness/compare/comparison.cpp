@@ -55,10 +55,16 @@ std::optional<CaseChange> accuracy_change(const Record& before, const Record& af
     return change(before, is ? ChangeKind::more_accurate : ChangeKind::less_accurate, detail);
   }
   if (!before.errors.x_l2 || !after.errors.x_l2) return std::nullopt;
-  // An error below ten error bars is known to be no larger than they are.
-  const double old_error = std::max(*before.errors.x_l2, measurable_error(before));
-  const double new_error = std::max(*after.errors.x_l2, measurable_error(after));
-  const std::string detail = fmt::format("error of x {} became {}", error_text(before), error_text(after));
+  // Records of earlier versions have no error of the force: of x alone then.
+  const bool levels = before.errors.x_worst && after.errors.x_worst;
+  const auto bounded = [levels](const Record& record) {
+    // An error below ten error bars is known to be no larger than they are.
+    return std::max(*(levels ? level_error(record) : record.errors.x_l2), measurable_error(record));
+  };
+  const double old_error = bounded(before), new_error = bounded(after);
+  const std::string detail =
+      levels ? fmt::format("error of x and force {:.1e} became {:.1e}", old_error, new_error)
+             : fmt::format("error of x {} became {}", error_text(before), error_text(after));
   if (new_error > kErrorFactor * old_error) return change(before, ChangeKind::less_accurate, detail);
   if (old_error > kErrorFactor * new_error) return change(before, ChangeKind::more_accurate, detail);
   return std::nullopt;

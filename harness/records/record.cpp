@@ -53,6 +53,15 @@ std::optional<Claim> claim_of(const Record& record) {
   return claim_of(record.status, record.certificate.status);
 }
 
+Measure level_error(const Record& record) {
+  const Errors& errors = record.errors;
+  const Measure& moved = errors.x_l2 ? errors.x_l2 : errors.u_l2;
+  if (!moved) return moved;
+  const bool spring = record.law && std::holds_alternative<Penalty>(*record.law) && errors.force_l2;
+  const Measure pushed = errors.force && spring ? errors.force_l2 : errors.force;
+  return std::max({*moved, errors.x_worst.value_or(0.0), pushed.value_or(0.0)});
+}
+
 double measurable_error(const Record& record) {
   constexpr double kErrorBars = 10.0;
   const Certificate& certificate = record.certificate;

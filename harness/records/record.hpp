@@ -128,6 +128,8 @@ struct Certificate {
 /// Against the certified orbit, or one that is near, relative.
 struct Errors {
   Measure x_l2 = {}, x_max = {}, u_l2 = {}, velocity_l2 = {}, impulse = {}, force_l2 = {};
+  Measure x_worst = {};  ///< of x, as x_l2, at the contact whose own motion is missed most
+  Measure force = {};    ///< of the contact force with its impulses, their instants included: see force_error
   Measure x_l2_scene = {};  ///< against the scene's own reference where the represented law is another
 };
 
@@ -234,6 +236,12 @@ enum class Claim {
 /// Nothing where the method claims nothing.
 std::optional<Claim> claim_of(Status status, CertificateStatus certificate);
 std::optional<Claim> claim_of(const Record& record);
+
+/// The error that a level of accuracy asks for, "solved to 1e-3": the largest of that of x (of u where the
+/// scene has no contact), of the contact whose own motion is missed most, and of the contact force: of a
+/// spring `force_l2`, else `force`. The latter two where a record has them: those of earlier versions have
+/// none. Empty without an error of x or u.
+Measure level_error(const Record& record);
 
 /// An error below this is not measured but bounded: ten error bars of the certified orbit, and how far away
 /// an orbit is to which CVODE, which shares nothing with the methods, would return: the distance it returned

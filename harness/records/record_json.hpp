@@ -124,6 +124,8 @@ void visit_fields(Either<Errors> auto& errors, auto&& field) {
   field(Field{"impulse"}, errors.impulse);
   field(Field{"force_l2"}, errors.force_l2);
   field(Field{"x_l2_scene"}, errors.x_l2_scene);
+  field(Field{"x_worst"}, errors.x_worst);
+  field(Field{"force"}, errors.force);
 }
 
 void visit_fields(Either<Physics> auto& physics, auto&& field) {

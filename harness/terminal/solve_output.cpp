@@ -175,9 +175,12 @@ std::string error_lines(const Record& record) {
   const Errors& errors = record.errors;
   std::string text =
       named_text("error of x", error_text(record) + " (relative, root mean square over a period)");
+  const Measure worst = record.contacts.value_or(0) > 1 ? errors.x_worst : std::nullopt;
   for (const auto& [name, value] :
-       {std::pair{"  largest", errors.x_max}, std::pair{"error of u", errors.u_l2},
-        std::pair{"error of velocity", errors.velocity_l2}, std::pair{"error of impulse", errors.impulse}}) {
+       {std::pair{"  largest", errors.x_max}, std::pair{"  worst contact", worst},
+        std::pair{"error of u", errors.u_l2}, std::pair{"error of velocity", errors.velocity_l2},
+        std::pair{"error of force", errors.force}, std::pair{"  mean square", errors.force_l2},
+        std::pair{"error of impulse", errors.impulse}}) {
     if (value) text += named_line(name, bounded_text(*value, record));
   }
   return text;

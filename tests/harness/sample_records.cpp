@@ -71,6 +71,8 @@ Record full_record() {
                    .velocity_l2 = 0.4,
                    .impulse = 0.5,
                    .force_l2 = 0.55,
+                   .x_worst = 0.13,
+                   .force = 0.45,
                    .x_l2_scene = 0.6};
   record.physics = {.penetration = 0.1,
                     .complementarity = 0.2,

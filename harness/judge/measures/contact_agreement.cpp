@@ -3,26 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <numbers>
 #include <numeric>
+#include <variant>
 #include <vector>
 
+#include "harness/judge/measures/force_error.hpp"
 #include "harness/judge/measures/impacts.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr double kTouching = 1e-6;      // of the unit of impulse
-constexpr double kHitting = 1e-3;       // of the unit of impulse
-constexpr double kClear = 1e-2;         // of the largest impulse of a contact
-constexpr double kFactor = 2.0;         // of total impulses
-constexpr double kStrongPhase = 0.25;   // of the largest impulse of a phase of its contact
-constexpr double kWeakPhase = 0.05;     // of the same
-constexpr double kShownApart = 6.0;     // resolutions in time: a coarse answer is late by two or three
-constexpr double kLongestApart = 0.15;  // of the forcing period
-constexpr double kLate = 0.05;          // of the forcing period, what an x within 10 % may be late by
+constexpr double kTouching = 1e-6;           // of the unit of impulse
+constexpr double kHitting = 1e-3;            // of the unit of impulse
+constexpr double kClear = 1e-2;              // of the largest impulse of a contact
+constexpr double kWorstContact = 0.5;        // Distance::x_worst
+constexpr double kOwnForce = 0.15;           // ForceErrors::worst
+constexpr double kForceOfOne = 0.4;          // error of the force of a contact, of its own size
+constexpr double kSharpForce = 0.5;          // force_error_up_to
+constexpr double kLeastShown = 1.0 / 256.0;  // forcing periods that forces may be apart in their instants
+constexpr double kRestitution = 0.1;         // of a coefficient of restitution
+constexpr double kStrongPhase = 0.25;        // of the largest impulse of a phase of its contact
+constexpr double kWeakPhase = 0.05;          // of the same
+constexpr double kShownApart = 6.0;          // resolutions in time: a coarse answer is late by two or three
+constexpr double kLongestApart = 0.15;       // of the forcing period
+constexpr double kLate = 0.05;               // of the forcing period, what an x within 10 % may be late by
 
 /// Impulses of one motion per forcing period, and where they count as contact.
 struct Touches {
@@ -94,9 +104,32 @@ bool all_met(const std::vector<Push>& pushes, const std::vector<Push>& others, d
   });
 }
 
+/// How far apart pushes are that the coarser of two motions tells from one [s].
+double shown_apart(const Motion& answer, const Motion& orbit) {
+  return std::min(kShownApart * std::max(time_resolution(answer), time_resolution(orbit)),
+                  kLongestApart * orbit.forcing_period);
+}
+
+/// The longest time without a push of a contact, before any are taken for one; 0 where there is none [s].
+double longest_break(const Motion& motion, int contact) {
+  double longest = 0.0, first = 0.0, last = 0.0;
+  bool any = false;
+  for (const ContactPhase& phase : contact_phases(motion)) {
+    if (phase.contact != contact) continue;
+    if (!any) first = phase.begin;
+    if (any) longest = std::max(longest, phase.begin - last);
+    last = std::max(last, phase.end);
+    any = true;
+  }
+  longest = any ? std::max(longest, first + motion.period() - last) : motion.period();
+  return longest > 0.5 * motion.step() ? longest : 0.0;
+}
+
 std::string phase_difference(const Motion& answer, const Motion& orbit, int contact) {
-  const double apart = std::min(kShownApart * std::max(time_resolution(answer), time_resolution(orbit)),
-                                kLongestApart * orbit.forcing_period);
+  const double apart = shown_apart(answer, orbit);
+  const double open = longest_break(answer, contact), exact_open = longest_break(orbit, contact);
+  if ((open == 0.0 && exact_open > apart) || (exact_open == 0.0 && open > apart))
+    return fmt::format("contact {} opens on {} only", contact, open == 0.0 ? "the orbit" : "it");
   const int common = std::lcm(answer.order, orbit.order);
   const std::vector<Push> found = pushes_shown(answer, contact, apart, common / answer.order);
   const std::vector<Push> exact = pushes_shown(orbit, contact, apart, common / orbit.order);
@@ -113,6 +146,86 @@ std::string phase_difference(const Motion& answer, const Motion& orbit, int cont
   return fmt::format("contact {} pushes at other times than on the orbit", contact);
 }
 
+/// How the forces differ beyond what is allowed; empty where they do not.
+std::string force_difference(const Motion& answer, const Motion& orbit, const Touches& exact) {
+  const ForceErrors errors = force_errors(answer, orbit);
+  for (Eigen::Index c = 0; c < std::ssize(errors.error); ++c) {
+    const auto at = static_cast<std::size_t>(c);
+    if (exact.clearly(c) && errors.error[at] > kForceOfOne * errors.size[at])
+      return fmt::format("the force of contact {} is off by {:.2g} of its own", c,
+                         errors.error[at] / errors.size[at]);
+  }
+  const double worst = errors.worst().value_or(0.0);
+  if (worst > kOwnForce)
+    return fmt::format("the contact force, its instants included, is off by {:.2g}", worst);
+  // What the resolution, or an error of x or of the force's instants, leaves open is no difference.
+  const double off = std::max({distance(answer, orbit).x_l2.value_or(0.0), worst, kLeastShown});
+  const double open = std::max(shown_apart(answer, orbit), off * orbit.forcing_period);
+  const Measure sharp = force_error_up_to(std::max(1.0, 0.5 * orbit.forcing_period / open), answer, orbit);
+  if (sharp && *sharp > kSharpForce)
+    return fmt::format("the contact force is off by {:.2g} at instants that it shows", *sharp);
+  return {};
+}
+
+/// Mean speeds before and after the strong impacts of a motion, weighted by their impulses [m/s].
+struct ImpactSpeeds {
+  double before = 0.0, after = 0.0;
+};
+
+/// Speeds beside listed impulses are extrapolated from samples of x' `offset` and twice as many steps away.
+ImpactSpeeds impact_speeds(const Motion& motion, int offset) {
+  ImpactSpeeds speeds;
+  double impulse = 0.0;
+  const std::vector<ContactPhase> phases = contact_phases(motion);
+  double largest = 0.0;
+  for (const ContactPhase& phase : phases) largest = std::max(largest, std::abs(phase.impulse));
+  const auto velocity = [&](const ContactPhase& phase, int steps) {
+    const int count = motion.count();
+    const double place = phase.begin / motion.step();
+    const auto at = static_cast<int>(steps < 0 ? std::ceil(place) : std::floor(place)) + steps;
+    return motion.samples.velocity(((at % count) + count) % count, phase.contact);
+  };
+  for (const ContactPhase& phase : phases) {
+    if (phase.lasting || !phase.speed_before || !phase.speed_after ||
+        std::abs(phase.impulse) < kStrongPhase * largest)
+      continue;
+    const bool told = phase.listed && offset > 0;
+    const double before =
+        told ? 2.0 * velocity(phase, -offset) - velocity(phase, -2 * offset) : *phase.speed_before;
+    const double after =
+        told ? 2.0 * velocity(phase, offset) - velocity(phase, 2 * offset) : *phase.speed_after;
+    speeds.before += std::abs(phase.impulse) * before;
+    speeds.after += std::abs(phase.impulse) * after;
+    impulse += std::abs(phase.impulse);
+  }
+  if (impulse > 0.0) speeds = {speeds.before / impulse, speeds.after / impulse};
+  return speeds;
+}
+
+/// Whether the strong impacts of a motion show another coefficient of restitution than the law has, at every
+/// distance from them at which samples tell the speeds: near by those of few instants do not, far away those
+/// of stiff structures.
+std::string restitution_difference(const Motion& motion, double restitution) {
+  constexpr std::array kOffsets{0, 4, 16, 64};  // steps
+  // Where the speeds are means over two resolutions on either side, x' has changed by so much between them.
+  const double turning = 4.0 * std::numbers::pi * time_resolution(motion) / motion.forcing_period *
+                         motion.samples.velocity.cwiseAbs().maxCoeff();
+  double least = std::numeric_limits<double>::infinity(), found = restitution;
+  for (const int offset : kOffsets) {
+    const ImpactSpeeds speeds = impact_speeds(motion, offset);
+    if (!(speeds.before > 0.0)) continue;
+    const double shown = -speeds.after / speeds.before;
+    const double excess = std::abs(shown - restitution) - kRestitution - turning / speeds.before;
+    if (excess >= least) continue;
+    least = excess;
+    found = shown;
+  }
+  return least <= 0.0 || std::isinf(least)
+             ? std::string()
+             : fmt::format("its impacts have a restitution of {:.2g}, where the law has {:.2g}", found,
+                           restitution);
+}
+
 }  // namespace
 
 ContactDifference contact_difference(const Problem& problem, const Motion& answer, const Motion& orbit) {
@@ -122,26 +235,25 @@ ContactDifference contact_difference(const Problem& problem, const Motion& answe
   const Eigen::VectorXd unit = contact_stiffness_scale(problem) * (size * answer.forcing_period);
   if (!(unit.minCoeff() > 0.0)) return {};  // nothing moves, and nothing may
   const Touches found(answer, unit), exact(orbit, unit);
-  if (found.none() && exact.none()) return {};
   if (found.none() && exact.hits())
     return {.text = "it has no contact force, and the orbit has", .contradicts = true};
   if (exact.none() && found.hits())
     return {.text = "it has a contact force, and the orbit has none", .contradicts = true};
+  const Measure worst = distance(answer, orbit).x_worst;
+  if (worst && *worst > kWorstContact)
+    return {.text = fmt::format("one of its contacts is off by {:.2g} of that contact's own motion", *worst)};
+  if (found.none() && exact.none()) return {};
   for (Eigen::Index c = 0; c < contacts; ++c) {
     if ((found.clearly(c) && !exact.touching(c)) || (exact.clearly(c) && !found.touching(c)))
       return {.text = fmt::format("contact {} touches on {} only", c, found.clearly(c) ? "it" : "the orbit")};
-  }
-  for (Eigen::Index c = 0; c < contacts; ++c) {
-    if (!exact.clearly(c)) continue;
-    const double ratio = found.impulse[c] / exact.impulse[c];
-    if (!(ratio <= kFactor && ratio >= 1.0 / kFactor))
-      return {.text = fmt::format("the impulse of contact {} is {:.2g} times the orbit's", c, ratio)};
   }
   for (int c = 0; c < static_cast<int>(contacts); ++c) {
     if (!found.clearly(c) && !exact.clearly(c)) continue;
     if (const std::string text = phase_difference(answer, orbit, c); !text.empty()) return {.text = text};
   }
-  return {};
+  if (const std::string text = force_difference(answer, orbit, exact); !text.empty()) return {.text = text};
+  const auto* restitution = std::get_if<Restitution>(&problem.law);
+  return {.text = restitution == nullptr ? std::string() : restitution_difference(answer, restitution->e)};
 }
 
 }  // namespace signorini

@@ -112,6 +112,7 @@ void ContactResponse::factorise(const Problem& problem, const LoadColumns& load)
     const double w = static_cast<double>(n) * base_frequency_;
     Eigen::MatrixXcd columns(problem.size(), 2);
     columns << W * lambda_.row(n).transpose(), F * load_.row(n).transpose();
+    if (columns.isZero(0.0)) continue;  // no response, whether or not Z_n is singular
     stiffness.factorise(exact_weights(w));
     columns = stiffness.solve(columns);
     free_.row(n) = (W.transpose() * columns.col(1)).transpose();

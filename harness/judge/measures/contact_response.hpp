@@ -20,9 +20,8 @@ namespace signorini {
 /// factorising every Z_n costs less.
 class ContactResponse {
  public:
-  /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if some Z_n is
-  /// singular
-  /// \param space  of this problem; null: none is known
+  /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if Z_n is
+  /// singular at a harmonic with load or force \param space  of this problem; null: none is known
   ContactResponse(const Problem& problem, ForceSeries series, const ContactSpace* space = nullptr);
 
   /// H.

@@ -155,7 +155,8 @@ std::vector<SpeedsBeside> speeds_beside_impulses(const Motion& motion) {
 }
 
 double time_resolution(const Motion& motion) {
-  return motion.bandwidth ? motion.period() / (2.0 * std::max(1, *motion.bandwidth)) : motion.step();
+  const std::optional<int> harmonics = resolved_harmonics(motion);
+  return harmonics ? motion.period() / (2.0 * std::max(1, *harmonics)) : motion.step();
 }
 
 std::vector<ContactPhase> contact_phases(const Motion& motion) {

@@ -22,8 +22,8 @@ struct ContactPhase {
   std::optional<double> speed_before = {}, speed_after = {};
 };
 
-/// Time over which the representation spreads an impulse: period / (2 bandwidth), one grid step if it
-/// resolves everything [s].
+/// Time over which the representation spreads an impulse: period / (2 H), H its `resolved_harmonics`, one
+/// grid step if it resolves everything [s].
 double time_resolution(const Motion& motion);
 
 /// x' of a contact just before and just after an impulse [m/s]; empty where neither is known.

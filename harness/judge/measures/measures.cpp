@@ -12,6 +12,7 @@
 
 #include "harness/judge/measures/contact_response.hpp"
 #include "harness/judge/measures/contact_work.hpp"
+#include "harness/judge/measures/force_error.hpp"
 #include "harness/judge/measures/impacts.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/solvers/constants.hpp"
@@ -115,7 +116,7 @@ double length_scale(const Problem& problem, const Motion& motion, const Eigen::V
   // An answer may have no response where the load alone has one: its harmonics are more.
   const std::optional<Eigen::MatrixXd> free =
       response ? response->free_displacement(kInstants) : contact_free_motion(problem, kInstants, space);
-  if (!free) return moving;
+  if (!free) return std::max(moving, least_size(problem, space));
   return std::max(moving, kLeast * (free->rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
 }
 
@@ -245,6 +246,8 @@ Errors measure_errors(const Problem& problem, const Motion& answer, const Motion
   errors.velocity_l2 = d.velocity_l2;
   errors.impulse = impulse_error(answer, orbit);
   errors.force_l2 = d.force_l2;
+  errors.x_worst = d.x_worst;
+  errors.force = force_errors(answer, orbit).worst();
   const bool on_space = space != nullptr && space->obstacle().empty();
   errors.u_l2 =
       on_space ? field_error_on(*space, problem, answer, orbit) : field_error(problem, answer, orbit);

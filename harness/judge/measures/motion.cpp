@@ -11,16 +11,21 @@
 #include "harness/judge/measures/exact_motion.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "methods/discretisation/contact_phases.hpp"
+#include "methods/discretisation/real_fft.hpp"
 #include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
 namespace {
 
-/// Share of the scale of the scene (`scene_length`) that the size of a motion is taken to be at least.
+/// Share of the scale of the scene (`scene_length`) that is the unit of a motion at rest.
 constexpr double kLeastSize = 0.1;
 /// Harmonics per forcing period of the force of an exact orbit, the most that any measure asks for.
 constexpr int kExactHarmonics = 512;
+/// Share of that unit below which a motion rests.
+constexpr double kAtRest = 1e-8;
+/// Share of the unit of all contacts that the unit of one is at least.
+constexpr double kLeastContact = 0.01;
 /// Digits of x that round-off may have taken, relative to the largest |x|.
 constexpr double kRoundOff = 1e-9;
 
@@ -29,21 +34,25 @@ struct Size {
   explicit Size(const Eigen::MatrixXd& values) {
     if (values.size() == 0) return;
     const auto varying = (values.rowwise() - values.colwise().mean()).array().abs();
-    mean_square = varying.square().mean();
+    of_contact = varying.square().colwise().mean();
+    mean_square = of_contact.mean();
     largest = varying.maxCoeff();
     round_off = kRoundOff * values.cwiseAbs().maxCoeff();
   }
 
   double mean_square = 0.0, largest = 0.0, round_off = 0.0;
+  Eigen::ArrayXd of_contact;  // mean squares
 };
 
 struct Difference {
-  double mean_square = 0.0;
+  [[nodiscard]] double mean_square() const { return of_contact.size() == 0 ? 0.0 : of_contact.mean(); }
+
+  Eigen::ArrayXd of_contact;  // mean squares
   double largest = 0.0;
 };
 
 Difference difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index offset) {
-  Difference gap;
+  Difference gap{.of_contact = Eigen::ArrayXd::Zero(a.cols())};
   if (a.cols() == 0) return gap;
   const Eigen::Index common = std::lcm(a.rows(), b.rows());
   Eigen::Index i = 0;
@@ -52,13 +61,13 @@ Difference difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen:
   for (Eigen::Index done = 0; done < common;) {
     const Eigen::Index block = std::min({a.rows() - i, b.rows() - j, common - done});
     const auto apart = a.middleRows(i, block).array() - b.middleRows(j, block).array();
-    gap.mean_square += apart.square().sum();
+    gap.of_contact += apart.square().colwise().sum().transpose();
     gap.largest = std::max(gap.largest, apart.abs().maxCoeff());
     done += block;
     i = (i + block) % a.rows();
     j = (j + block) % b.rows();
   }
-  gap.mean_square /= static_cast<double>(common * a.cols());
+  gap.of_contact /= static_cast<double>(common);
   return gap;
 }
 
@@ -66,34 +75,57 @@ std::optional<double> in_units_of(double unit, double value) {
   return unit > 0.0 ? std::optional(value / unit) : std::nullopt;
 }
 
-/// Coefficients n = 0..count of the contact force, (count+1) x Nc, from no more instants than they need.
-Eigen::MatrixXcd spectrum_of(const Motion& motion, int count) {
-  if (const Eigen::MatrixXcd& own = motion.force_coefficients; own.size() > 0) {
-    Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count + 1, own.cols());
-    const Eigen::Index common = std::min(result.rows(), own.rows());
-    result.topRows(common) = own.topRows(common);
-    return result;
-  }
-  const int enough = std::max(samples_for_spectrum(count), motion.nodes.value_or(0));
-  const int step = std::max(1, motion.count() / enough);
-  if (step == 1 || motion.count() % step != 0)
-    return force_spectrum(motion.samples.force, motion.impulses, motion.period(), count);
-  return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
-                        motion.impulses, motion.period(), count);
-}
-
 Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
 
-/// Root mean square of the contact-free motion about its mean, but at most the largest distance of that mean
-/// from a stop: near resonance the contact-free motion is as large as damping lets it be, and no measure of a
-/// motion between stops [m]; 0 where there is no such motion.
+/// Root mean square about the mean; 0 where there is no such motion, or nothing but rounding moves.
+double varying_size(const std::optional<Eigen::MatrixXd>& motion) {
+  if (!motion) return 0.0;
+  const Size size(*motion);
+  const double moving = std::sqrt(size.mean_square);
+  return moving > size.round_off ? moving : 0.0;
+}
+
+/// How far the load would move the contacts against their stiffness scale, the largest; else the largest gap.
+double pressed_length(const Problem& problem) {
+  const SparseMatrix W = contact_directions(problem);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.contact_count());
+  for (int n = 0; n <= highest_load_harmonic(problem); ++n)
+    load += (W.transpose() * load_harmonic(problem, n)).cwiseAbs();
+  const double pressed = load.cwiseQuotient(contact_stiffness_scale(problem)).maxCoeff();
+  return pressed > 0.0 ? pressed : contact_gaps(problem).cwiseAbs().maxCoeff();
+}
+
+/// The scale of lengths of `least_size`. Near resonance the contact-free motion is as large as damping lets
+/// it be, and no measure of a motion between stops: hence the room.
 double scene_length(const Problem& problem, const ContactSpace* space) {
   constexpr int kInstants = 512;
   if (problem.contacts.empty()) return 0.0;
-  const std::optional<Eigen::MatrixXd> free = contact_free_motion(problem, kInstants, space);
-  if (!free) return 0.0;
-  const double room = (contact_gaps(problem) - free->colwise().mean().transpose()).cwiseAbs().maxCoeff();
-  return std::min(std::sqrt(Size(*free).mean_square), room);
+  if (const auto free = contact_free_motion(problem, kInstants, space)) {
+    const double room = (contact_gaps(problem) - free->colwise().mean().transpose()).cwiseAbs().maxCoeff();
+    const double size = std::min(varying_size(free), room);
+    if (size > 0.0) return size;
+  }
+  Problem without_mean = problem;
+  std::erase_if(without_mean.force, [](const ForceTerm& term) { return term.harmonic == 0; });
+  const double size = varying_size(contact_free_motion(without_mean, kInstants, nullptr));
+  return size > 0.0 ? size : pressed_length(problem);
+}
+
+/// Harmonics of x that leave out no more than a ten-thousandth of its size.
+int shown_harmonics(const Motion& motion) {
+  constexpr double kLeftOut = 1e-4;
+  RealFft fft(motion.count());
+  Eigen::VectorXcd spectrum(fft.coefficients());
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(spectrum.size());
+  for (const auto& x : motion.samples.x.colwise()) {
+    fft.forward(x, spectrum);
+    squares += spectrum.cwiseAbs2();
+  }
+  squares[0] = 0.0;
+  const double most = kLeftOut * kLeftOut * squares.sum();
+  Eigen::Index last = squares.size() - 1;
+  for (double beyond = 0.0; last > 0 && (beyond += squares[last]) <= most;) --last;
+  return static_cast<int>(last);
 }
 
 // `count` instants of a motion. Where it is a grid of more nodes than that, an instant has the impulse of the
@@ -144,7 +176,9 @@ SampledAnswer check_answer(const Problem& problem, const Trajectory& answer) {
   if (!sampled.defect.empty()) return sampled;
   Motion motion = sample_motion(problem, answer);
   sampled.defect = samples_defect(motion.samples, kGrid * motion.order, problem.contact_count());
-  if (sampled.defect.empty()) sampled.motion = std::move(motion);
+  if (!sampled.defect.empty()) return sampled;
+  if (motion.bandwidth && !motion.nodes) motion.shown = shown_harmonics(motion);
+  sampled.motion = std::move(motion);
   return sampled;
 }
 
@@ -167,9 +201,30 @@ Motion thinned(const Motion& motion, int step) {
   result.speeds = motion.speeds;
   result.integrated = motion.integrated;
   result.bandwidth = motion.bandwidth;
+  result.shown = motion.shown;
   result.force_coefficients = motion.force_coefficients;
   result.least = motion.least;
   return result;
+}
+
+std::optional<int> resolved_harmonics(const Motion& motion) {
+  return motion.bandwidth ? std::optional(std::max(*motion.bandwidth, motion.shown)) : std::nullopt;
+}
+
+// From no more instants than the coefficients need.
+Eigen::MatrixXcd contact_force_spectrum(const Motion& motion, int count) {
+  if (const Eigen::MatrixXcd& own = motion.force_coefficients; own.size() > 0) {
+    Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count + 1, own.cols());
+    const Eigen::Index common = std::min(result.rows(), own.rows());
+    result.topRows(common) = own.topRows(common);
+    return result;
+  }
+  const int enough = std::max(samples_for_spectrum(count), motion.nodes.value_or(0));
+  const int step = std::max(1, motion.count() / enough);
+  if (step == 1 || motion.count() % step != 0)
+    return force_spectrum(motion.samples.force, motion.impulses, motion.period(), count);
+  return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
+                        motion.impulses, motion.period(), count);
 }
 
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics) {
@@ -177,7 +232,7 @@ ForceSeries force_series(const Problem& problem, const Motion& motion, int max_h
                                  motion.order * highest_load_harmonic(problem));
   return {.order = motion.order,
           .base_frequency = kTwoPi / motion.period(),
-          .lambda = spectrum_of(motion, harmonics)};
+          .lambda = contact_force_spectrum(motion, harmonics)};
 }
 
 std::vector<ListedPush> short_pushes(const Motion& motion, int contact) {
@@ -206,7 +261,8 @@ std::vector<ListedPush> short_pushes(const Motion& motion, int contact) {
 }
 
 Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
-  Eigen::VectorXd impulse = motion.forcing_period * spectrum_of(motion, 0).row(0).real().transpose();
+  Eigen::VectorXd impulse =
+      motion.forcing_period * contact_force_spectrum(motion, 0).row(0).real().transpose();
   for (int c = 0; c < static_cast<int>(impulse.size()); ++c) {
     const std::vector<ListedPush> pushes = short_pushes(motion, c);
     if (pushes.empty()) continue;
@@ -222,29 +278,39 @@ Distance distance(const Motion& a, const Motion& b, int shift) {
   const Eigen::Index offset = shift * per_period(b);
   const double least = std::max(a.least, b.least);
   const Size x(b.samples.x), velocity(b.samples.velocity);
-  const double unit = std::max({std::sqrt(x.mean_square), least, x.round_off});
+  const double moving = std::sqrt(x.mean_square), at_rest = std::max(least, x.round_off);
+  const bool rests = moving <= std::max(kAtRest * least, x.round_off);
+  const double unit = rests ? at_rest : moving;
   // A sinusoid of this root mean square is sqrt(2) as large.
-  const double unit_of_largest = std::max({x.largest, std::numbers::sqrt2 * least, x.round_off});
-  const double unit_of_speed =
-      std::max(std::sqrt(velocity.mean_square), kTwoPi / b.forcing_period * std::max(least, x.round_off));
+  const double unit_of_largest = rests ? std::max(std::numbers::sqrt2 * least, x.round_off) : x.largest;
+  const double unit_of_speed = rests ? kTwoPi / b.forcing_period * at_rest : std::sqrt(velocity.mean_square);
   const Difference apart = difference(a.samples.x, b.samples.x, offset);
+  double worst = 0.0;
+  for (Eigen::Index c = 0; unit > 0.0 && c < apart.of_contact.size(); ++c) {
+    const double own = std::sqrt(x.of_contact[c]);
+    const bool stays = rests || own <= std::max(kAtRest * unit, x.round_off);
+    const double measure = stays ? unit : std::max(own, kLeastContact * unit);
+    worst = std::max(worst, std::sqrt(apart.of_contact[c]) / measure);
+  }
   const bool functions = a.impulses.empty() && b.impulses.empty() && b.samples.force.size() > 0;
   return {
-      .x_l2 = in_units_of(unit, std::sqrt(apart.mean_square)),
+      .x_l2 = in_units_of(unit, std::sqrt(apart.mean_square())),
+      .x_worst = in_units_of(unit, unit * worst),
       .x_max = in_units_of(unit_of_largest, apart.largest),
       .velocity_l2 = in_units_of(
-          unit_of_speed, std::sqrt(difference(a.samples.velocity, b.samples.velocity, offset).mean_square)),
+          unit_of_speed, std::sqrt(difference(a.samples.velocity, b.samples.velocity, offset).mean_square())),
       .force_l2 =
-          functions ? in_units_of(std::sqrt(b.samples.force.array().square().mean()),
-                                  std::sqrt(difference(a.samples.force, b.samples.force, offset).mean_square))
-                    : std::nullopt};
+          functions
+              ? in_units_of(std::sqrt(b.samples.force.array().square().mean()),
+                            std::sqrt(difference(a.samples.force, b.samples.force, offset).mean_square()))
+              : std::nullopt};
 }
 
 int best_shift(const Motion& a, const Motion& b) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < b.order; ++shift) {
-    const double apart = difference(a.samples.x, b.samples.x, shift * per_period(b)).mean_square;
+    const double apart = difference(a.samples.x, b.samples.x, shift * per_period(b)).mean_square();
     if (apart < least) {
       least = apart;
       best = shift;

@@ -33,14 +33,16 @@ struct Motion {
   std::optional<std::vector<ContactEvent>> events = {};  ///< as Trajectory::events
   std::optional<int> nodes = {};                         ///< as Trajectory::nodes
   std::optional<int> bandwidth = {};                     ///< as Trajectory::bandwidth
+  /// Harmonics of the period in which x has all but 1e-4 of its size, of an answer with a bandwidth that is
+  /// no grid; else 0: see resolved_harmonics.
+  int shown = 0;
   /// As Trajectory::force_coefficients, and of exact orbits in closed form 512 per forcing period [N].
   Eigen::MatrixXcd force_coefficients = {};
   std::vector<ImpactSpeeds> speeds = {};  ///< of exact orbits, beside each of `impulses`; else empty
   /// Between its events force and motion are one solution of the equation of motion: of exact orbits and of
   /// motions that are integrated from event to event.
   bool integrated = false;
-  /// Sizes of x below this are not told from rest. In an answer (`sample_answer`) a tenth of the size of the
-  /// contact-free motion, or of the distance of its mean from the stops where that is less; else 0 [m].
+  /// The unit of x where the orbit of an answer rests: see `least_size`; 0 in what is no answer [m].
   double least = 0.0;
 
   [[nodiscard]] double period() const { return order * forcing_period; }
@@ -59,8 +61,12 @@ struct SampledAnswer {
 /// Samples an answer of any method; nothing is taken for granted about it. Its `least` is still 0.
 SampledAnswer check_answer(const Problem& problem, const Trajectory& answer);
 
-/// Motion::least of an answer [m]. \param space  of this problem, for its motion without contact; null: none
-/// is known
+/// Motion::least of an answer [m]: a tenth of the size of the contact-free motion, or of the distance of its
+/// mean from the stops where that is less. Where a loose structure has no such motion, or a constant one, the
+/// motion without the mean of the load stands in, and where that is zero or resonates, how far the load would
+/// press the contacts with their stiffness scale (of a loose mass m omega^2); without any load at the
+/// contacts the largest gap. \param space  of this problem, for its motion without contact; null: none is
+/// known
 double least_size(const Problem& problem, const ContactSpace* space = nullptr);
 
 /// Both.
@@ -72,6 +78,14 @@ Motion thinned(const Motion& motion, int step);
 /// The contact force in harmonics of the motion's period: up to its bandwidth where it has one, to
 /// `max_harmonics` otherwise, never more but for harmonics of the load.
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics);
+
+/// Harmonics of the period that a motion resolves: its bandwidth, but no fewer than its x shows, so that
+/// saying less than is there buys nothing. Empty: all of them.
+std::optional<int> resolved_harmonics(const Motion& motion);
+
+/// Fourier coefficients n = 0..count of the contact force, impulses included, in harmonics of the motion's
+/// period, (count+1) x Nc [N]; a series' own, zero beyond its bandwidth.
+Eigen::MatrixXcd contact_force_spectrum(const Motion& motion, int count);
 
 /// A contact that a motion lists from its closing to its opening.
 struct ListedPush {
@@ -91,12 +105,16 @@ Eigen::VectorXd impulse_per_forcing_period(const Motion& motion);
 
 /// Distances of motion a from motion b over their common period, b shifted by `shift` forcing periods, in
 /// units of the size of b: of x - mean(x), the mean taken per contact, so that nothing depends on where the
-/// origin of x is. The unit of x is at least a.least and b.least, and 1e-9 of the largest |x|, its round-off.
-/// Empty where the unit is zero. Both must have the same grid per forcing period.
+/// origin of x is. Where b rests, which is where its size is below 1e-8 of `least` or 1e-9 of the largest
+/// |x|, its round-off, the unit of x is the larger of a.least and b.least, or that round-off. Empty where the
+/// unit is zero. Both must have the same grid per forcing period.
 struct Distance {
-  std::optional<double> x_l2 = {};         ///< root mean squares over time and contacts
+  std::optional<double> x_l2 = {};  ///< root mean squares over time and contacts
+  /// The largest of a contact, in units of its own size, but at least 1 % of the unit of all; where b rests
+  /// there, in the unit of all.
+  std::optional<double> x_worst = {};
   std::optional<double> x_max = {};        ///< largest |x_a - x_b| over the largest |x_b - mean(x_b)|
-  std::optional<double> velocity_l2 = {};  ///< as x_l2, of x'; its unit is at least 2 pi / T times that of x
+  std::optional<double> velocity_l2 = {};  ///< as x_l2, of x'; where b rests 2 pi / T times the unit of x
   /// Of lambda, root mean squares, relative to that of lambda_b itself; empty where either has impulses.
   std::optional<double> force_l2 = {};
 };

@@ -83,6 +83,7 @@ void CaseResults::add(const Record& record) {
                     .outcome = outcome_of(record),
                     .law = law_of(record),
                     .error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2,
+                    .level = level_error(record),
                     .impulse_error = record.errors.impulse,
                     .measurable = measurable_error(record),
                     .condition = record.condition,

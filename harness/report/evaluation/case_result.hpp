@@ -69,6 +69,7 @@ struct CaseResult {
   CaseOutcome outcome = {};
   const RepresentedLaw* law = nullptr;  ///< that the method represents; null where it is not known
   Measure error = {};                   ///< relative L2 error of x, of u where the scene has no contact
+  Measure level = {};                   ///< level_error
   Measure impulse_error = {};           ///< Errors::impulse
   double measurable = 0.0;              ///< measurable_error
   Measure condition = {};

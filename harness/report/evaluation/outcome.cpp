@@ -38,6 +38,11 @@ Measure certified_error(const CaseResult& result) {
   return claim_of(result.outcome) == Claim::certified ? bounded_error(result) : std::nullopt;
 }
 
+Measure certified_level(const CaseResult& result) {
+  if (claim_of(result.outcome) != Claim::certified || !result.level) return std::nullopt;
+  return std::max(*result.level, result.measurable);
+}
+
 void OutcomeCounts::add(const CaseOutcome& outcome) {
   const std::optional<Claim> claim = claim_of(outcome);
   const bool refused = outcome.status == Status::not_applicable;

@@ -33,6 +33,10 @@ Measure bounded_error(const CaseResult& result);
 /// bounded_error of a certified answer; empty for all others.
 Measure certified_error(const CaseResult& result);
 
+/// The error that levels of accuracy ask of a certified answer (level_error), bounded alike; empty for all
+/// others.
+Measure certified_level(const CaseResult& result);
+
 /// How many cases ended how.
 struct OutcomeCounts {
   int cases = 0, not_applicable = 0, failed = 0, refuted = 0, unproven = 0, certified = 0;

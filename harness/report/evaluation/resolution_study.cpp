@@ -46,8 +46,8 @@ void take_laws_from_other_scenes(std::vector<ResolutionStudy>& studies) {
 
 ScoredRun scored_run(const CaseResult& result) {
   ScoredRun run{.result = &result};
-  run.error = certified_error(result);
-  run.bounded = run.error && *result.error < *run.error;
+  run.error = certified_level(result);
+  run.bounded = run.error && *result.level < *run.error;
   return run;
 }
 

@@ -14,7 +14,7 @@ namespace signorini {
 /// One run of a study with its error.
 struct ScoredRun {
   const CaseResult* result = nullptr;
-  Measure error = {};    ///< certified_error
+  Measure error = {};    ///< certified_level: what levels of accuracy ask for
   bool bounded = false;  ///< below ten error bars: never ranked by its error
 };
 

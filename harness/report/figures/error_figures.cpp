@@ -98,9 +98,9 @@ std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const s
   constexpr const char* kTime = "time, set-up and solve [s]";
   std::vector<Figure> figures{
       error_figure(scene + "-work-precision", curves_of(evaluation, competing, time_axis()),
-                   {kTime, "error of x [-]", floor_of(competing)}, column),
+                   {kTime, "error of x and force [-]", floor_of(competing)}, column),
       error_figure(scene + "-other-laws", curves_of(evaluation, others, time_axis()),
-                   {kTime, "error of x, own law [-]", floor_of(others)}, column)};
+                   {kTime, "error of x and force, own law [-]", floor_of(others)}, column)};
   figures[0].caption =
       "Error against time. Each mark is a resolution, its number beside it; hollow ones lie below ten error "
       "bars of the orbit and are not ranked.";
@@ -125,7 +125,7 @@ Figure convergence_figure(const Evaluation& evaluation, const std::string& scene
   }
   Figure figure =
       error_figure(scene + "-convergence", curves_of(evaluation, studies, resolution_axis()),
-                   {"harmonics, or samples of a period [-]", "error of x [-]", 0.0, true}, column);
+                   {"harmonics, or samples of a period [-]", "error of x and force [-]", 0.0, true}, column);
   if (figure.data.empty()) return {};
   figure.caption =
       "Error against the number of harmonics or samples that a method was asked for; triangles have the "

@@ -82,7 +82,7 @@ struct CsvColumn {
 
 /// Columns of table.csv, in order. Two of them are no fields: kResolution and kReason.
 constexpr std::string_view kResolution = "resolution", kReason = "reason";
-constexpr std::array<CsvColumn, 40> kColumns{{{"case", "case"},
+constexpr std::array<CsvColumn, 42> kColumns{{{"case", "case"},
                                               {"scene", "scene"},
                                               {"scene_law", "scene_law"},
                                               {"method", "method"},
@@ -121,6 +121,8 @@ constexpr std::array<CsvColumn, 40> kColumns{{{"case", "case"},
                                               {"problem", "problem"},
                                               {"stable", "certificate.stable"},
                                               {"return_distance", "certificate.return_distance"},
+                                              {"x_worst", "errors.x_worst"},
+                                              {"force", "errors.force"},
                                               {kReason, kReason}}};
 
 std::vector<Cell> csv_row(const Record& record) {

@@ -32,7 +32,7 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 /// The rule by which a method is recommended, as reports print it above their groups.
 inline constexpr std::string_view kVerdictRule =
     "* has an error of at most 1 % on most scenes of its group and, of several, the least median time to it, "
-    "or one within 10 % of that. Time to an error of x, and on how many scenes; - where half or more fail:";
+    "or one within 10 % of that. Time to an error of x and force, and on how many scenes; - where half or more fail:";
 
 /// The titles of kGroupErrors.
 inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %", "1 %", "0.1 %", "1e-6"};

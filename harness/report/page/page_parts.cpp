@@ -198,7 +198,7 @@ std::string scene_of(const std::string& scene, const Evaluation& evaluation,
          (laws.rows.empty() ? ""
                             : "<p>The law that each method represents, how many of its resolutions are "
                               "solved, and the time "
-                              "to each error of x:</p>\n" +
+                              "to each error of x and force:</p>\n" +
                                   html_table(laws, "Methods on " + scene)) +
          "</section>\n";
 }

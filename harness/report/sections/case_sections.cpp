@@ -65,9 +65,11 @@ Cell measure_cell(const Record& record, const Measure& measure) {
   return measure ? Cell(fmt::format("{:.1e}", *measure), *measure) : Cell("-", kNeverReached);
 }
 
-/// The error of the contact force where it is a function, marked; else that of the impulse.
+/// The error of the contact force where it is a function, marked; else that of force and impulses, in records
+/// of earlier versions of the impulse alone.
 Cell force_error_cell(const Record& record) {
-  const Measure& error = record.errors.force_l2 ? record.errors.force_l2 : record.errors.impulse;
+  const Errors& errors = record.errors;
+  const Measure& error = errors.force_l2 ? errors.force_l2 : errors.force ? errors.force : errors.impulse;
   if (!claim_of(record) || !error) return measure_cell(record, error);
   return {bounded_text(*error, record) + (record.errors.force_l2 ? " (L2)" : ""), *error};
 }
@@ -126,8 +128,9 @@ constexpr std::string_view kLegend =
     R"(error of x: relative L2 distance to the certified orbit of the law that
 the method represents; `<`: below ten error bars of that orbit. `≠ scene`: the method represents another impact
 law than the scene states; then `off the scene's motion` is the same distance to the motion from rest under the
-scene's own law. error of force: of the impulse per period, the worst contact, relative to the orbit's largest; of
-the force itself in the mean square (L2) where it is a function of time. penetration and complementarity are relative
+scene's own law. error of force: of force and impulses with their instants, the worst contact, relative to the orbit's
+largest; of the force itself in the mean square (L2) where it is a function of time. Times to an error ask for x, the
+worst contact and the force. penetration and complementarity are relative
 to the amplitude. restitution: speed after over speed before the impacts, as the answer shows it, least to largest.
 time: set-up and solve, the fastest repetition within a round, the median over rounds;
 unstable where rounds deviate by more than 5 % in the median. p: pivots, it:

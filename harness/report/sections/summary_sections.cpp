@@ -107,8 +107,8 @@ std::string repeated_remark(std::ptrdiff_t repeated) {
 
 constexpr std::string_view kSummaryText = R"(Of the scenes whose law a method represents: on how many it is
 certified to have found a motion of that scene, stable or not, at any of its resolutions; its least error of x,
-and the error of the contact impulse of that answer, medians over these scenes; then how many it solves with an
-error of x of at most 1e-1, 1e-2 and 1e-3, and the median time of the cheapest resolution that does. A scene that
+and the error of the contact impulse of that answer, medians over these scenes; then how many it solves with
+errors of x, of the worst contact and of the force of at most 1e-1, 1e-2 and 1e-3, and the median time of the cheapest resolution that does. A scene that
 is not solved counts as infinite, an error that is only known to be below a bound as that bound. Under another
 law: scenes of which the method solves another problem, one with another law of impact, and how many of those.)";
 

@@ -55,8 +55,8 @@ TEST(RecordJson, HasExactlyTheKeysOfTheContract) {
                   "reference", "reference_reason", "same_orbit", "events", "floquet", "stable"}));
   EXPECT_EQ(keys(json["processor"]), (Keys{"solve", "timing", "measures", "certificate"}));
   EXPECT_EQ(keys(json["certificate"]["events"][0]), (Keys{"time", "contact", "kind", "value"}));
-  EXPECT_EQ(keys(json["errors"]),
-            (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "force_l2", "x_l2_scene"}));
+  EXPECT_EQ(keys(json["errors"]), (Keys{"x_l2", "x_max", "u_l2", "velocity_l2", "impulse", "force_l2",
+                                        "x_l2_scene", "x_worst", "force"}));
   EXPECT_EQ(keys(json["physics"]), (Keys{"penetration", "complementarity", "energy_defect", "energy_reason",
                                          "effective_restitution", "contact_ratio"}));
   EXPECT_EQ(keys(json["trajectory"]),

@@ -32,6 +32,23 @@ TEST(CountRepeat, CountsSolvesWhoseAnswerHasTheSameDigest) {
   EXPECT_EQ(record.repeats->identical, 1);
 }
 
+TEST(LevelError, IsTheLargestOfMotionWorstContactAndForce) {
+  Record record;
+  EXPECT_EQ(level_error(record), std::nullopt);
+  record.errors.u_l2 = 0.02;
+  EXPECT_EQ(level_error(record), 0.02) << "a scene without contact";
+  record.errors.x_l2 = 0.01;
+  record.errors.force_l2 = 0.3;
+  EXPECT_EQ(level_error(record), 0.01) << "a record of an earlier version";
+  record.errors.x_worst = 0.03;
+  record.errors.force = 0.04;
+  EXPECT_EQ(level_error(record), 0.04);
+  record.law = Penalty{.stiffness = {1.0}};
+  EXPECT_EQ(level_error(record), 0.3);
+  record.errors.x_worst = 0.4;
+  EXPECT_EQ(level_error(record), 0.4);
+}
+
 TEST(MeasurableError, IsTenErrorBarsOfTheOrbit) {
   Record record;
   EXPECT_EQ(measurable_error(record), 0.0);

@@ -56,10 +56,45 @@ TEST(ContactDifference, OfAGrazeIsNoContradiction) {
   EXPECT_EQ(compared(motion({}), motion({{0.2, 1e-7 * kPeriod}})).text, "") << "round-off";
 }
 
-TEST(ContactDifference, AllowsAFactorOfTwoInTheImpulse) {
-  EXPECT_EQ(compared(motion({{0.2, 1.9}}), motion({{0.2, 1.0}})).text, "");
-  EXPECT_EQ(compared(motion({{0.2, 0.4}}), motion({{0.2, 1.0}})).text,
-            "the impulse of contact 0 is 0.4 times the orbit's");
+TEST(ContactDifference, AsksForTheForceOfTheOrbit) {
+  EXPECT_EQ(compared(motion({{0.2, 1.09}}), motion({{0.2, 1.0}})).text, "");
+  EXPECT_EQ(compared(motion({{0.2, 0.8}}), motion({{0.2, 1.0}})).text,
+            "the contact force, its instants included, is off by 0.2");
+  EXPECT_EQ(compared(motion({{0.2, 0.51}}), motion({{0.2, 1.0}})).text,
+            "the force of contact 0 is off by 0.49 of its own");
+  EXPECT_NE(compared(motion({{0.24, 1.0}}), motion({{0.2, 1.0}})).text, "") << "late";
+  EXPECT_NE(compared(motion({{0.2, 1.0}, {0.7, 0.24}}), motion({{0.2, 1.0}})).text, "") << "a second one";
+}
+
+TEST(ContactDifference, AsksForABreakThatTheOrbitHas) {
+  const Motion orbit = smooth(0.1, 0.95, 1.0, 400), rests = smooth(-1.0, 2.0, 0.85, 400);
+  EXPECT_EQ(compared(rests, orbit).text, "contact 0 opens on the orbit only");
+  EXPECT_EQ(compared(orbit, rests).text, "contact 0 opens on it only");
+}
+
+/// |sin| with impacts at both ends of a half wave: x' goes from v to -ratio v.
+Motion bouncing(double ratio, bool listed = true) {
+  const double jump = 1.0 + ratio;
+  return sample_motion(
+      test::one_mass(0.0, 0.8),
+      test::FormulaMotion(
+          kPeriod, [=](double t) { return -std::sin(t) * (1.0 - (1.0 - ratio) * (1.0 - t / kPeriod)); },
+          [=](double t) {
+            return -std::cos(t) * (1.0 - (1.0 - ratio) * (1.0 - t / kPeriod)) -
+                   std::sin(t) * (1.0 - ratio) / kPeriod;
+          },
+          [](double) { return 0.0; },
+          listed ? std::vector<Impulse>{{0, 0.0, -jump}} : std::vector<Impulse>{}));
+}
+
+TEST(ContactDifference, AsksForTheRestitutionOfTheLaw) {
+  const Problem problem = test::one_mass(0.0, 0.8);
+  const auto text = [&](double ratio) {
+    return contact_difference(problem, bouncing(ratio), bouncing(0.8)).text;
+  };
+  EXPECT_EQ(text(0.8), "");
+  EXPECT_EQ(text(0.85), "");
+  EXPECT_EQ(text(0.95), "its impacts have a restitution of 0.95, where the law has 0.8");
 }
 
 TEST(ContactDifference, CountsImpactsPerCommonPeriod) {
@@ -75,16 +110,16 @@ TEST(ContactDifference, AsksForNoImpactsThatTheAnswerCannotShow) {
   const Motion chatter = motion({{0.20, 0.5}, {0.22, 0.3}, {0.235, 0.2}});
   EXPECT_EQ(compared(smooth(0.19, 0.25, 1.0 / (0.06 * kPeriod), 16), chatter).text, "");
   EXPECT_NE(compared(smooth(0.19, 0.25, 1.0 / (0.06 * kPeriod), 400), chatter).text, "");
-  // A bounce of a fifth of the largest impulse may be missed, and one of a half may not.
-  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.2, 1.0}, {0.7, 0.2}})).text, "");
+  // A bounce of a twentieth of the largest impulse may be missed, and one of a half may not.
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.2, 1.0}, {0.7, 0.05}})).text, "");
   EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.2, 1.0}, {0.7, 0.5}})).text, "");
 }
 
 TEST(ContactDifference, AsksForImpactsAtTheirTimes) {
-  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.24, 1.0}})).text, "");
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.21, 1.0}})).text, "");
   EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.3, 1.0}})).text,
             "contact 0 pushes at other times than on the orbit");
-  EXPECT_EQ(compared(motion({{0.99, 1.0}}), motion({{0.02, 1.0}})).text, "")
+  EXPECT_EQ(compared(motion({{0.995, 1.0}}), motion({{0.005, 1.0}})).text, "")
       << "across the end of the period";
   // Once in each of two forcing periods, the second time a quarter of a period late.
   EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.1, 1.0}, {0.725, 1.0}}, 2)).text, "");

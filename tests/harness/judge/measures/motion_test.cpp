@@ -59,17 +59,81 @@ TEST(Distance, KnowsNoOriginOfDisplacements) {
   EXPECT_EQ(after.velocity_l2, before.velocity_l2);
 }
 
-TEST(Distance, HasTheLeastSizeOfEitherMotionAsItsUnit) {
-  // |0.5 cos t| against |cos 2 t|, of a root mean square of 1 / sqrt(2): smaller than what is told from rest.
+TEST(Distance, IsInUnitsOfAMotionHoweverSmall) {
+  // |0.5 cos t| against |cos 2 t|, of a root mean square of 1 / sqrt(2): smaller than the unit of rest.
   Motion a = motion(2, 0.5);
-  const Motion b = motion(1, 0.0);
-  const double apart = 0.5 * std::numbers::sqrt2 / 2.0;
   a.least = 3.0;
-  EXPECT_NEAR(distance(a, b).x_l2.value(), apart / 3.0, 1e-12);
-  EXPECT_NEAR(distance(a, b).x_max.value(), 0.5 / (3.0 * std::numbers::sqrt2), 1e-12);
-  EXPECT_NEAR(distance(b, a).x_l2.value(), apart / 3.0, 1e-12);
-  // x' of a - b is 0.5 sin t; the unit of speed is 2 pi / T = 2 times that of x.
-  EXPECT_NEAR(distance(a, b).velocity_l2.value(), apart / 6.0, 1e-12);
+  EXPECT_NEAR(distance(a, motion(1, 0.0)).x_l2.value(), 0.5, 1e-12);
+  Motion still = motion(1, 0.0);
+  still.least = 3.0;
+  still.samples.x.setConstant(2.0);
+  EXPECT_NEAR(distance(still, motion(1, 0.0)).x_l2.value(), std::sqrt(1.0 + 2.0 * 4.0), 1e-12);
+  still.samples.x.setZero();
+  EXPECT_NEAR(distance(still, motion(1, 0.0)).x_l2.value(), 1.0, 1e-12);
+}
+
+TEST(Distance, OfAMotionAtRestHasTheLeastSizeAsItsUnit) {
+  Motion a = motion(2, 0.5), rest = motion(1, 0.0);
+  rest.samples.x.setConstant(7.0);
+  rest.samples.velocity.setZero();
+  a.samples.x.array() += 7.0;
+  a.least = 3.0;
+  const double size = std::sqrt(1.25) * std::numbers::sqrt2 / 2.0;  // of a
+  EXPECT_NEAR(distance(a, rest).x_l2.value(), size / 3.0, 1e-9);
+  EXPECT_NEAR(distance(a, rest).x_worst.value(), size / 3.0, 1e-9);
+  EXPECT_NEAR(distance(a, rest).x_max.value(), 1.5 / (3.0 * std::numbers::sqrt2), 1e-9);
+  // x' is 2 sin 2 t + 0.5 sin t; the unit of speed is 2 pi / T = 2 times that of x.
+  EXPECT_NEAR(distance(a, rest).velocity_l2.value(), std::sqrt(4.25) * std::numbers::sqrt2 / 2.0 / 6.0, 1e-9);
+}
+
+TEST(Distance, OfTheWorstContactIsInUnitsOfItsOwnMotion) {
+  Motion a = motion(1, 0.0), b = a;
+  const Eigen::VectorXd x = b.samples.x.col(0);
+  b.samples.x.resize(x.size(), 2);
+  b.samples.x << x, 0.1 * x;
+  b.samples.velocity = b.samples.force = b.samples.x;
+  a = b;
+  a.samples.x.col(1).setZero();  // the smaller one stands still
+  EXPECT_NEAR(distance(a, b).x_l2.value(), 0.1 / std::sqrt(1.01), 1e-9);
+  EXPECT_NEAR(distance(a, b).x_worst.value(), 1.0, 1e-12);
+  b.samples.x.col(1) = 1e-5 * x;  // it hardly moves: 1 % of the unit of both, 1 / sqrt(2) of the larger one's
+  a.samples.x.col(1) = 101e-5 * x;
+  EXPECT_NEAR(distance(a, b).x_worst.value(), 0.1 * std::numbers::sqrt2, 1e-6);
+  b.samples.x.col(1).setZero();  // it does not move at all
+  EXPECT_NEAR(distance(a, b).x_worst.value(), 1.01e-3 * std::numbers::sqrt2, 1e-6);
+}
+
+TEST(LeastSize, IsATenthOfTheContactFreeMotionOrOfItsRoom) {
+  const double free = std::numbers::sqrt2 / 2.0 / std::hypot(1.0 - 4.0, 0.2);  // |1 / Z| / sqrt(2)
+  EXPECT_NEAR(least_size(test::one_mass(10.0)), 0.1 * free, 1e-9);
+  EXPECT_NEAR(least_size(test::one_mass(0.01)), 0.1 * 0.01, 1e-9);
+}
+
+TEST(LeastSize, OfALooseMassIsThatOfItsLoad) {
+  Problem loose = test::one_mass(0.0, 0.5);
+  loose.edit_structure([](Structure& s) {
+    s.stiffness.coeffRef(0, 0) = 0.0;
+    s.damping.coeffRef(0, 0) = 0.0;
+  });
+  loose.force.push_back({.dof = 0, .harmonic = 0, .cos = 6.0});  // pressed against its stop
+  // x'' = cos 2 t apart from that: 1/4 cos 2 t.
+  EXPECT_NEAR(least_size(loose), 0.1 * 0.25 * std::numbers::sqrt2 / 2.0, 1e-9);
+  loose.force.erase(loose.force.begin());
+  EXPECT_NEAR(least_size(loose), 0.1 * 6.0 / 4.0, 1e-9) << "m omega^2 = 4 is the stiffness of a loose mass";
+}
+
+TEST(ResolvedHarmonics, AreNoFewerThanAnAnswerShows) {
+  const auto answer = [](int bandwidth) {
+    const FormulaMotion told(
+        kPeriod, [](double t) { return std::cos(2.0 * t) + 0.01 * std::cos(10.0 * t); },
+        [](double t) { return -2.0 * std::sin(2.0 * t) - 0.1 * std::sin(10.0 * t); },
+        [](double) { return 0.0; }, {}, bandwidth);
+    return check_answer(test::one_mass(), told).motion;
+  };
+  EXPECT_EQ(resolved_harmonics(answer(1)), 5);
+  EXPECT_EQ(resolved_harmonics(answer(7)), 7);
+  EXPECT_NEAR(time_resolution(answer(1)), kPeriod / 10.0, 1e-12);
+  EXPECT_EQ(resolved_harmonics(motion(1, 0.0)), std::nullopt);
 }
 
 TEST(BestShift, UndoesAShiftByForcingPeriods) {

@@ -24,6 +24,21 @@ TEST(CertifiedError, IsThatOfXOrOfUAndNeverBelowTenErrorBars) {
   EXPECT_FALSE(bounded().has_value());
 }
 
+TEST(CertifiedLevel, AsksForTheWorstContactAndTheForceToo) {
+  Record record = test::good_record("s", "m", "n=1", 1e-4, 1.0);
+  const auto level = [&] { return certified_level(test::results_of({record}).all[0]); };
+  EXPECT_EQ(level(), 1e-4);
+  record.errors.x_worst = 1e-3;
+  EXPECT_EQ(level(), 1e-3);
+  record.errors.force = 1e-2;
+  EXPECT_EQ(level(), 1e-2);
+  EXPECT_EQ(certified_error(test::results_of({record}).all[0]), 1e-4) << "the error of x is what it is";
+  record.certificate.error_bar = 1e-2;
+  EXPECT_EQ(level(), 1e-1);
+  record.status = Status::inaccurate;
+  EXPECT_FALSE(level().has_value());
+}
+
 TEST(OutcomeCounts, HoldEveryCaseOnce) {
   OutcomeCounts counts;
   int answers = 0;

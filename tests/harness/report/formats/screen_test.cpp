@@ -62,7 +62,7 @@ TEST(Screen, SaysWhichMethodToTakeForWhichScenes) {
 
 Which method? * has an error of at most 1 % on most scenes of its group and, of
 several, the least median time to it, or one within 10 % of that. Time to an
-error of x, and on how many scenes; - where half or more fail:
+error of x and force, and on how many scenes; - where half or more fail:
                                      10 %         1 %       0.1 %        1e-6
 Rigid stop (e = 1), 3 scenes: fast
 * fast                               1 ms  3     1 ms  3    20 ms  2    20 ms  2

@@ -1,0 +1,106 @@
+#include "harness/judge/measures/force_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <numeric>
+
+#include "methods/discretisation/fourier_series.hpp"
+#include "methods/solvers/constants.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Harmonics of the load in which forces are compared.
+constexpr int kForceHarmonics = 512;
+/// Share of the whole force that its varying part is taken to be at least.
+constexpr double kLeastVarying = 0.1;
+
+/// Coefficients of force and impulses, (count+1) x Nc. Pushes too short for samples act at their middle.
+Eigen::MatrixXcd told_spectrum(const Motion& motion, int count) {
+  Eigen::MatrixXcd spectrum = contact_force_spectrum(motion, count);
+  for (int c = 0; c < static_cast<int>(spectrum.cols()); ++c) {
+    const std::vector<ListedPush> pushes = short_pushes(motion, c);
+    if (pushes.empty()) continue;
+    spectrum.col(c).setZero();
+    const auto add = [&](double time, double impulse) {
+      for (int n = 0; n <= count; ++n)
+        spectrum(n, c) += impulse / motion.period() * std::polar(1.0, -kTwoPi * n * time / motion.period());
+    };
+    for (const ListedPush& push : pushes) add(0.5 * (push.begin + push.end), push.impulse);
+    for (const Impulse& impulse : motion.impulses) {
+      if (impulse.contact == c) add(impulse.time, impulse.value);
+    }
+  }
+  return spectrum;
+}
+
+/// Squares of the coefficients of the difference and of the orbit's force, two-sided, (H+1) x Nc.
+struct ForceSpectra {
+  ForceSpectra(const Motion& answer, const Motion& orbit) : order(std::lcm(answer.order, orbit.order)) {
+    const auto over_both = [&](const Motion& motion) -> Eigen::MatrixXcd {
+      return repeated(told_spectrum(motion, kForceHarmonics * motion.order), order / motion.order);
+    };
+    const Eigen::Index all = kForceHarmonics * order;
+    const Eigen::Index shown = resolved_harmonics(answer).value_or(kForceHarmonics * answer.order);
+    const Eigen::Index last = std::clamp<Eigen::Index>(shown * (order / answer.order), order, all);
+    const Eigen::MatrixXcd own = over_both(orbit).topRows(last + 1);
+    apart = 2.0 * (over_both(answer).topRows(last + 1) - own).cwiseAbs2();
+    exact = 2.0 * own.cwiseAbs2();
+    apart.row(0) *= 0.5;
+    exact.row(0) *= 0.5;
+  }
+
+  /// Sums over the harmonics, each with the square of a weight of n / order, Nc.
+  [[nodiscard]] Eigen::ArrayXd sum(const Eigen::ArrayXXd& squares,
+                                   const std::function<double(double)>& weight) const {
+    Eigen::ArrayXd weights(squares.rows());
+    for (Eigen::Index n = 0; n < squares.rows(); ++n)
+      weights[n] = std::pow(weight(static_cast<double>(n) / order), 2);
+    return (squares.colwise() * weights).colwise().sum();
+  }
+
+  int order;
+  Eigen::ArrayXXd apart, exact;
+};
+
+bool pushes_throughout(const Motion& motion, Eigen::Index contact) {
+  const auto force = motion.samples.force.col(contact).array();
+  constexpr double kRoundOffOfForce = 1e-9;
+  return motion.impulses.empty() && force.maxCoeff() < -kRoundOffOfForce * force.abs().maxCoeff();
+}
+
+}  // namespace
+
+Measure ForceErrors::worst() const {
+  const double unit = size.empty() ? 0.0 : std::ranges::max(size);
+  return unit > 0.0 ? Measure(std::ranges::max(error) / unit) : std::nullopt;
+}
+
+ForceErrors force_errors(const Motion& answer, const Motion& orbit) {
+  ForceErrors errors;
+  if (answer.samples.x.cols() == 0) return errors;
+  const ForceSpectra spectra(answer, orbit);
+  const auto smooth = [](double s) { return 1.0 / (1.0 + s * s); };
+  const Eigen::ArrayXd apart = spectra.sum(spectra.apart, smooth), whole = spectra.sum(spectra.exact, smooth);
+  for (Eigen::Index c = 0; c < apart.size(); ++c) {
+    const double varying = pushes_throughout(orbit, c) ? std::max(whole[c] - spectra.exact(0, c),
+                                                                  kLeastVarying * kLeastVarying * whole[c])
+                                                       : whole[c];
+    errors.error.push_back(std::sqrt(apart[c]));
+    errors.size.push_back(std::sqrt(varying));
+  }
+  return errors;
+}
+
+Measure force_error_up_to(double harmonics, const Motion& answer, const Motion& orbit) {
+  if (answer.samples.x.cols() == 0) return std::nullopt;
+  const ForceSpectra spectra(answer, orbit);
+  const auto below = [&](double s) { return s <= harmonics ? 1.0 : 0.0; };
+  const double whole = spectra.sum(spectra.exact, below).sum();
+  return whole > 0.0 ? Measure(std::sqrt(spectra.sum(spectra.apart, below).sum() / whole)) : std::nullopt;
+}
+
+}  // namespace signorini
