@@ -11,7 +11,7 @@
 #include "methods/harmonic_balance/harmonic_setup.hpp"
 #include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/solvers/newton_krylov.hpp"
-#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/mean_balance.hpp"
 
 namespace signorini {
 
@@ -53,7 +53,7 @@ class AftGridSolver final : public GridSolver {
                                       const Start& start) {
     const ContactReceptance& receptance = equations.receptance;
     if (previous.size() > 0) return previous;
-    if (start.guess) return force_spectrum(*start.guess, receptance.harmonics());
+    if (start.guess) return carried_spectrum(receptance, *start.guess);
     return Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts());
   }
 
@@ -82,8 +82,7 @@ class AftGridSolver final : public GridSolver {
     work.pivots = work.pivots.value_or(0) + path.pivots;
     message = fmt::format("gap homotopy: {}", describe(path.status));
     if (path.status != LcpStatus::solved) return failed;
-    const Eigen::MatrixXcd force =
-        force_coefficients(law, path.z, residual.samples(), receptance.harmonics());
+    const Eigen::MatrixXcd force = carried_coefficients(equations, lcp, path.z);
     NewtonKrylovResult newton = newton_from(force, DampedNewtonLimits{}.max_steps, residual, start, work);
     if (!newton.condition) newton.condition = path.condition;  // no step was needed
     message = "gap homotopy and Newton-Krylov";

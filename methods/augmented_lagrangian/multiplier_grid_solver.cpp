@@ -13,7 +13,7 @@
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/solvers/anderson_acceleration.hpp"
 #include "methods/solvers/homotopy.hpp"
-#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/mean_balance.hpp"
 
 namespace signorini {
 
@@ -141,7 +141,7 @@ class MultiplierIteration {
     const ProjectedLaw& law = equations_.law;
     const Eigen::VectorXd weight = law.multiplier_weight.cwiseQuotient(law.constant);
     ContactReceptance moved = equations_.receptance;
-    moved.free_response -= multiplier * weight.asDiagonal();
+    moved.free_response -= balanced_force(equations_.receptance, multiplier) * weight.asDiagonal();
     return moved;
   }
 
@@ -190,7 +190,7 @@ class MultiplierGridSolver final : public GridSolver {
     const int harmonics = equations.receptance.harmonics();
     const bool cold = previous.size() == 0 && !start.guess;
     Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(harmonics + 1, equations.receptance.contacts());
-    if (!cold) lambda = previous.size() > 0 ? previous : force_spectrum(*start.guess, harmonics);
+    if (!cold) lambda = previous.size() > 0 ? previous : carried_spectrum(equations.receptance, *start.guess);
     MultiplierIteration iteration(
         equations, {.samples = samples, .tolerance = settings_.tolerance, .deadline = start.deadline},
         std::move(lambda), !plain_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "methods/hat_functions/hat_contact.hpp"
@@ -82,6 +83,8 @@ std::optional<ClosureSetup> closure_setup(const HarmonicSetup& setup, const Clos
   constexpr double kHarder = 8.0;
   const Problem& problem = *setup.problem;
   if (!std::holds_alternative<Restitution>(problem.law)) return std::nullopt;
+  if (setup.receptance.rigid_count() > 0)
+    throw std::runtime_error("impacts of a structure with rigid motions that no spring holds are not closed");
   ClosureSetup closure{.restitution = settings.restitution,
                        .stiffness_factor = settings.constant_is_chosen ? 1.0 : kHarder,
                        .response = response_to_impacts(problem, setup.receptance)};

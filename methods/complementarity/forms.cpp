@@ -10,6 +10,8 @@
 #include "methods/discretisation/block_circulant.hpp"
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/discretisation/symbols.hpp"
+#include "methods/solvers/lcp/bordered_lcp.hpp"
+#include "methods/structure/mean_balance.hpp"
 
 namespace signorini {
 
@@ -35,7 +37,36 @@ Eigen::VectorXd unit_of(const ContactReceptance& receptance, const NodalStops& s
   return lag.cwiseAbs().cwiseMax(1e-3 * largest).cwiseSqrt().cwiseInverse();
 }
 
+/// With the means of rigid motions among the unknowns, and their balance: sum over the samples of
+/// E^T (unit z) = N R^T f_0. Border and balance are scaled to columns of length about one.
+Lcp with_rigid_motions(const Lcp& lcp, const ContactReceptance& receptance, const Eigen::VectorXd& unit) {
+  const Eigen::Index m = receptance.rigid_count();
+  if (m == 0) return lcp;
+  const RigidBorder border = rigid_border(receptance, unit, lcp.samples);
+  Eigen::MatrixXd columns(lcp.offset.size(), m);
+  for (Eigen::Index c = 0; c < unit.size(); ++c)
+    columns.middleRows(c * lcp.samples, lcp.samples).rowwise() = border.entries.row(c);
+  return bordered_lcp(lcp, std::move(columns), border.balance);
+}
+
 }  // namespace
+
+RigidBorder rigid_border(const ContactReceptance& receptance, const Eigen::VectorXd& unit, int samples) {
+  RigidBorder border{.entries = unit.asDiagonal() * receptance.rigid, .unit = {}, .balance = {}};
+  border.unit =
+      (std::sqrt(samples) * border.entries.colwise().lpNorm<Eigen::Infinity>()).transpose().cwiseInverse();
+  border.entries = border.entries * border.unit.asDiagonal();
+  border.balance = samples * receptance.rigid_load.cwiseProduct(border.unit);
+  return border;
+}
+
+Eigen::RowVectorXd rigid_mean(const ContactReceptance& receptance, const Lcp& lcp,
+                              const Eigen::VectorXd& unit, const Eigen::VectorXd& z) {
+  if (lcp.free == 0) return Eigen::RowVectorXd::Zero(receptance.contacts());
+  const Eigen::VectorXd a =
+      free_unknowns(lcp, z).cwiseProduct(rigid_border(receptance, unit, lcp.samples).unit);
+  return (receptance.rigid * a).transpose();
+}
 
 Eigen::VectorXd free_penetration(const Eigen::MatrixXcd& free_response, const Eigen::VectorXd& gap,
                                  const Eigen::VectorXd& scale, int samples) {
@@ -51,7 +82,11 @@ Eigen::VectorXd free_penetration(const Eigen::MatrixXcd& free_response, const Ei
 
 Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& gap, const ProjectedLaw& law,
                   int samples) {
-  const ContactSymbol rate(receptance, law);
+  ContactReceptance held;  // answers to lambda: the balance stands beside it
+  const bool balanced = receptance.rigid_count() > 0;
+  if (balanced) held = receptance;
+  held.rigid.resize(receptance.contacts(), 0);
+  const ContactSymbol rate(balanced ? held : receptance, law);
   std::vector<Eigen::MatrixXcd> symbol;
   symbol.reserve(receptance.receptance.size());
   // w = z - y, and y answers to lambda = -P z by B_n: w_n = (1 + B_n) z_n, but w_n = z_n beyond H, where P
@@ -60,8 +95,10 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
     symbol.push_back(rate.block(n));
     symbol.back().diagonal().array() += 1.0;
   }
-  return periodic_lcp(BlockCirculant(samples, symbol, 1.0),
-                      -free_penetration(receptance.free_response, gap, rate.root(), samples));
+  return with_rigid_motions(
+      periodic_lcp(BlockCirculant(samples, symbol, 1.0),
+                   -free_penetration(receptance.free_response, gap, rate.root(), samples)),
+      receptance, rate.root());
 }
 
 Eigen::VectorXd augmented_multiplier(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
@@ -69,8 +106,24 @@ Eigen::VectorXd augmented_multiplier(const ProjectedEquations& equations, const 
   const auto& [receptance, gap, law] = equations;
   // y = c ((x - alpha lambda / c) - g), in units of sqrt(c).
   const Eigen::VectorXd weight = law.multiplier_weight.cwiseQuotient(law.constant);
-  return free_penetration(contact_motion(receptance, lambda) - lambda * weight.asDiagonal(), gap,
-                          law.constant.cwiseSqrt(), samples);
+  const Eigen::VectorXd root = law.constant.cwiseSqrt();
+  const Eigen::VectorXd y = free_penetration(
+      carried_motion(receptance, lambda) - balanced_force(receptance, lambda) * weight.asDiagonal(), gap,
+      root, samples);
+  if (receptance.rigid_count() == 0) return y;
+  const double rate = 2.0 * std::numbers::pi / receptance.period;
+  const Eigen::VectorXd a = receptance.rigid.transpose() * lambda.row(0).real().transpose() / (rate * rate);
+  const Eigen::VectorXd unknown = a.cwiseQuotient(rigid_border(receptance, root, samples).unit);
+  Eigen::VectorXd all(y.size() + 2 * a.size());
+  all << y, unknown, -unknown;
+  return all;
+}
+
+Eigen::MatrixXcd carried_coefficients(const ProjectedEquations& equations, const Lcp& lcp,
+                                      const Eigen::VectorXd& z) {
+  const auto& [receptance, gap, law] = equations;
+  const Eigen::MatrixXcd lambda = force_coefficients(law, z, lcp.samples, receptance.harmonics());
+  return carried_force(receptance, lambda, rigid_mean(receptance, lcp, law.constant.cwiseSqrt(), z));
 }
 
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
@@ -95,7 +148,7 @@ NodalStops nodal_stops(const Problem& problem, const std::optional<double>& rest
 }
 
 Eigen::VectorXd HatForm::pressure(const Eigen::VectorXd& z) const {
-  return (z.reshaped(lcp.samples, unit.size()) * unit.asDiagonal()).reshaped();
+  return (z.head(lcp.contact_unknowns()).reshaped(lcp.samples, unit.size()) * unit.asDiagonal()).reshaped();
 }
 
 Eigen::VectorXd HatForm::scaled(const Eigen::VectorXd& pressure) const {
@@ -116,6 +169,7 @@ HatForm hat_form(const ContactReceptance& receptance, const NodalStops& stops, i
     free.row(n) = shift * receptance.free_response.row(n);
   }
   Lcp lcp = periodic_lcp(BlockCirculant(samples, symbol), -free_penetration(free, stops.gap, unit, samples));
+  lcp = with_rigid_motions(lcp, receptance, unit);
   return {std::move(lcp), std::move(unit)};
 }
 

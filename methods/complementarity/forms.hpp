@@ -21,6 +21,21 @@ namespace signorini {
 Eigen::VectorXd free_penetration(const Eigen::MatrixXcd& free_response, const Eigen::VectorXd& gap,
                                  const Eigen::VectorXd& scale, int samples);
 
+/// What rigid motions add to a complementarity problem of N samples per contact, scaled: - entries a' in each
+/// row of a contact, and sum entries^T z = balance.
+struct RigidBorder {
+  Eigen::MatrixXd entries;  ///< Nc x m
+  Eigen::VectorXd unit;     ///< the mean a of a rigid motion is this times the unknown a', m
+  Eigen::VectorXd balance;  ///< m
+};
+
+/// \param unit  contact forces over z, Nc [N]
+RigidBorder rigid_border(const ContactReceptance& receptance, const Eigen::VectorXd& unit, int samples);
+
+/// E a of an answer z, with which the means of rigid motions shift the contacts; zero without any. Nc [m]
+Eigen::RowVectorXd rigid_mean(const ContactReceptance& receptance, const Lcp& lcp,
+                              const Eigen::VectorXd& unit, const Eigen::VectorXd& z);
+
 /// The projected equations on N samples, (15) and (16) there, the penalty and the Lipschitz form: find
 /// z >= 0 with w = q + A z >= 0 and z^T w = 0, A block-circulant of symbol
 ///
@@ -33,14 +48,18 @@ Lcp projected_lcp(const ContactReceptance& receptance, const Eigen::VectorXd& ga
 
 /// y = c (x - g) - alpha lambda of that form at t_k = k T / N under contact forces lambda, in its units: z is
 /// max(0, y) where lambda = -P z, so that it begins Newton's method (solve_by_newton_from) at these forces.
-/// \param lambda  n = 0..H, (H+1) x Nc [N]
-/// \return contacts one after another, N Nc
+/// \param lambda  n = 0..H, (H+1) x Nc; mu (MeanBalance) [N]
+/// \return contacts one after another, N Nc, then a' and -a' of rigid motions
 Eigen::VectorXd augmented_multiplier(const ProjectedEquations& equations, const Eigen::MatrixXcd& lambda,
                                      int samples);
 
 /// Coefficients n = 0..H of lambda = -P z behind a solution of projected_lcp, (H+1) x Nc [N].
 Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::VectorXd& z_scaled, int samples,
                                     int harmonics);
+
+/// mu (MeanBalance) behind a solution of projected_lcp, (H+1) x Nc [N].
+Eigen::MatrixXcd carried_coefficients(const ProjectedEquations& equations, const Lcp& lcp,
+                                      const Eigen::VectorXd& z);
 
 /// The stops of a scene as a grid of nodes sees them.
 struct NodalStops {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "methods/discretisation/fourier_series.hpp"
+#include "methods/structure/mean_balance.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 
 namespace signorini {
@@ -106,6 +107,12 @@ ContactSymbol::ContactSymbol(const ContactReceptance& receptance, const Projecte
     blocks_.emplace_back(root_.asDiagonal() * c * root_.asDiagonal());
     blocks_.back().diagonal() -= law.multiplier_weight;
   }
+  if (receptance.rigid_count() == 0) return;
+  const MeanBalance balance(receptance);
+  Eigen::MatrixXd mean = root_.asDiagonal() * balance.moved * root_.asDiagonal();
+  mean.diagonal() -= law.multiplier_weight;
+  mean += (law.multiplier_weight.cwiseQuotient(root_)).asDiagonal() * balance.share * root_.asDiagonal();
+  blocks_.front() = mean.cast<std::complex<double>>();
 }
 
 Eigen::MatrixXcd ContactSymbol::rate(const Eigen::VectorXd& packed) const {

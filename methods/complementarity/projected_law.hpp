@@ -70,7 +70,7 @@ RepresentedLaw projected_method_law(const Problem& problem, const std::optional<
 /// B, chi the indicator of contact.
 class ContactSymbol {
  public:
-  /// B_n of these C_n under this law.
+  /// B_n of these C_n under this law; B_0 of a structure with rigid motions answers to mu_0 (MeanBalance).
   ContactSymbol(const ContactReceptance& receptance, const ProjectedLaw& law);
 
   /// H.

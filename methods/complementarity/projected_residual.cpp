@@ -10,6 +10,9 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/discretisation/real_fft.hpp"
+#include "methods/structure/mean_balance.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
 
@@ -17,7 +20,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kFelt = 1e-6;  // of x_f - g: a motion that a force of rounding must not cause
+constexpr double kNothingTouches = 1e-12;  // of the mean of rigid motions in the equations, relative
+constexpr double kFelt = 1e-6;             // of x_f - g: a motion that a force of rounding must not cause
 
 /// The runs of positive samples, each sample half a step to either side.
 std::vector<ContactInterval> positive_runs(const Eigen::VectorXd& values) {
@@ -66,6 +70,7 @@ ProjectedResidual::ProjectedResidual(const ProjectedEquations& equations, int sa
   free_ = equations.receptance.free_response;
   free_.row(0) -= equations.gap.transpose();
   free_ = free_ * root().asDiagonal();
+  if (equations.receptance.rigid_count() > 0) take_balance(equations);
   const double free = pack_harmonics(free_).norm();
   rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * free;
   // With c far above the structure's stiffness a force of that size moves the mass: it must be met then. An
@@ -113,7 +118,55 @@ Eigen::VectorXd ProjectedResidual::residual(const Eigen::VectorXd& lambda) {
       pressed.col(c) += root()[c] * shift_spectrum(interval, shifts, harmonics_);
     }
   }
-  return lambda + pack_harmonics(pressed);
+  Eigen::VectorXd result = lambda + pack_harmonics(pressed);
+  for (Eigen::Index c = 0; c < balance_.size(); ++c) {
+    const Eigen::Index place = c * (2 * harmonics_ + 1);
+    result[place] += balance_[c];
+    for (Eigen::Index d = 0; d < balance_.size(); ++d)
+      result[place] -= share_.row(c).dot(along_.col(d)) * lambda[d * (2 * harmonics_ + 1)];
+  }
+  return result;
+}
+
+// Of mu (MeanBalance), (1 - P) mu_0 + lambda_b stands for lambda_0, in units of sqrt(c).
+void ProjectedResidual::take_balance(const ProjectedEquations& equations) {
+  const auto& [receptance, gap, law] = equations;
+  const MeanBalance balance(receptance);
+  balance_ = balance.force.cwiseQuotient(root());
+  const Eigen::VectorXd still = receptance.receptance.front().real() * balance.force;
+  free_.row(0) +=
+      (root().cwiseProduct(still) - law.multiplier_weight.cwiseProduct(balance_)).transpose().cast<Complex>();
+  share_ = root().cwiseInverse().asDiagonal() * receptance.rigid;
+  const CholeskyFactors gram(receptance.rigid.transpose() * receptance.rigid);
+  along_ = gram.solve(Eigen::MatrixXd(receptance.rigid.transpose() * root().asDiagonal()));
+}
+
+// J = J' - U V^T on the means, m columns: v = J'^{-1} (r + U s), s = V^T v.
+KrylovSolve ProjectedResidual::with_balance(KrylovSolve plain, const JacobianSolver::Contacts& contacts) {
+  const Eigen::Index stride = 2 * harmonics_ + 1, m = share_.cols();
+  const auto means = [&](const Eigen::VectorXd& v) {
+    Eigen::VectorXd result(balance_.size());
+    for (Eigen::Index c = 0; c < result.size(); ++c) result[c] = v[c * stride];
+    return result;
+  };
+  if (plain.x.size() == 0) return plain;
+  Eigen::MatrixXd answers(plain.x.size(), m), matrix = Eigen::MatrixXd::Identity(m, m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(plain.x.size());
+    for (Eigen::Index c = 0; c < balance_.size(); ++c) load[c * stride] = share_(c, k);
+    const KrylovSolve answer = solver_.solve(symbol_, contacts, load);
+    if (answer.x.size() == 0) return {};
+    answers.col(k) = answer.x;
+    matrix.col(k) -= along_ * means(answer.x);
+  }
+  // Nothing touches: every mean is as good.
+  const LuFactors lu(matrix);
+  const Eigen::VectorXd s = lu.solve(Eigen::VectorXd(along_ * means(plain.x)));
+  if (!(lu.reciprocal_condition() > 0.0) || matrix.lpNorm<Eigen::Infinity>() < kNothingTouches ||
+      !s.allFinite())
+    return {};
+  plain.x += answers * s;
+  return plain;
 }
 
 std::vector<ContactNodes> ProjectedResidual::nodes() const {
@@ -131,7 +184,7 @@ KrylovSolve ProjectedResidual::solve_jacobian(const Eigen::VectorXd& r) {
                                     .product = [this](const Eigen::VectorXd& v) { return product(v); },
                                     .matrix = {}};
   // Alternating between frequency and time forms no matrix.
-  if (integral_ == ContactIntegral::exact) contacts.matrix = [this] { return jacobian(); };
+  if (integral_ == ContactIntegral::exact) contacts.matrix = [this] { return pressed_jacobian(); };
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     contacts.duty[static_cast<Eigen::Index>(c)] = indicators_[c].duty();
     for (const ContactInterval& interval : contacts_[c]) {
@@ -140,10 +193,11 @@ KrylovSolve ProjectedResidual::solve_jacobian(const Eigen::VectorXd& r) {
                                                             : std::lround(length * samples_);
     }
   }
-  return solver_.solve(symbol_, contacts, r);
+  KrylovSolve solved = solver_.solve(symbol_, contacts, r);
+  return balance_.size() == 0 ? solved : with_balance(std::move(solved), contacts);
 }
 
-Eigen::MatrixXd ProjectedResidual::jacobian() const {
+Eigen::MatrixXd ProjectedResidual::pressed_jacobian() const {
   const Eigen::Index stride = 2 * harmonics_ + 1;
   const Eigen::Index contacts = root().size();
   Eigen::MatrixXd matrix(stride * contacts, stride * contacts);
@@ -153,6 +207,15 @@ Eigen::MatrixXd ProjectedResidual::jacobian() const {
     }
   }
   matrix.diagonal().array() += 1.0;
+  return matrix;
+}
+
+Eigen::MatrixXd ProjectedResidual::jacobian() const {
+  const Eigen::Index stride = 2 * harmonics_ + 1;
+  Eigen::MatrixXd matrix = pressed_jacobian();
+  for (Eigen::Index row = 0; row < balance_.size(); ++row)
+    for (Eigen::Index column = 0; column < balance_.size(); ++column)
+      matrix(row * stride, column * stride) -= share_.row(row).dot(along_.col(column));
   return matrix;
 }
 

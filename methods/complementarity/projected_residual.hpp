@@ -20,7 +20,9 @@ enum class ContactIntegral {
 };
 
 /// R(lambda) = lambda + P max(0, y) of the law of `equations` (ProjectedLaw) as a JacobianSystem, x = x_f + C
-/// lambda, in units of sqrt(c) per contact and packed as in fourier_series.hpp.
+/// lambda, in units of sqrt(c) per contact and packed as in fourier_series.hpp. On a structure with rigid
+/// motions the unknown is mu (MeanBalance) wherever lambda is said: with P chi B of the held structure its
+/// Jacobian is 1 - U V^T + P chi B, U V^T of rank m on the means.
 class ProjectedResidual {
  public:
   /// \param samples  exact: instants on which sign changes of y are bracketed, at least 8 H; sampled: N >= 2
@@ -63,6 +65,9 @@ class ProjectedResidual {
   [[nodiscard]] const std::vector<ContactIndicator>& indicators() const { return indicators_; }
 
  private:
+  [[nodiscard]] Eigen::MatrixXd pressed_jacobian() const;  // 1 + P chi B
+  void take_balance(const ProjectedEquations& equations);
+  [[nodiscard]] KrylovSolve with_balance(KrylovSolve plain, const JacobianSolver::Contacts& contacts);
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& v) const;
   [[nodiscard]] std::vector<ContactNodes> nodes() const;
   void fill_block(Eigen::Index row, Eigen::Index column, Eigen::Ref<Eigen::MatrixXd> block) const;
@@ -72,7 +77,9 @@ class ProjectedResidual {
   int samples_;
   ContactIntegral integral_;
   ContactSymbol symbol_;
-  Eigen::MatrixXcd free_;  // of sqrt(c) (x_f - g)
+  Eigen::MatrixXcd free_;          // of sqrt(c) (x_f - g)
+  Eigen::VectorXd balance_;        // lambda_b; empty without rigid motions
+  Eigen::MatrixXd share_, along_;  // U, Nc x m, and V^T
   double rounding_ = 0.0;
   double least_scale_ = 0.0;
   StopShifts shifts_;

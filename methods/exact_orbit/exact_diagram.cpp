@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -55,8 +56,11 @@ class Beginnings {
   void add_answer(double parameter) {
     const Problem problem = family_.scene().at(parameter);
     if (limits_.expired() || !method_.supports(problem).ok || prefers_reduction(problem)) return;
-    const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
-    if (solution.verdict == Verdict::converged) add({parameter, solution.trajectory});
+    try {
+      const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
+      if (solution.verdict == Verdict::converged) add({parameter, solution.trajectory});
+    } catch (const std::runtime_error&) {  // a resonance, or a mean load that nothing balances
+    }
   }
 
   void add_one_impact() {

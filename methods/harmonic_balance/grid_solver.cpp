@@ -34,7 +34,7 @@ class LcpGridSolver final : public GridSolver {
     return {.solved = solved,
             // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
             .finer_may_help = (solved || !newton()) && result.status != LcpStatus::interrupted,
-            .lambda = force_coefficients(law, result.z, samples, receptance.harmonics()),
+            .lambda = carried_coefficients(equations, lcp, result.z),
             .residual = result.residual,
             .condition = result.condition,
             .message = describe(result.status)};

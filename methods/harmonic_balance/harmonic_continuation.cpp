@@ -33,7 +33,9 @@ ContactReceptance truncated(const ContactReceptance& receptance, int harmonics) 
   const auto count = std::min(harmonics, receptance.harmonics()) + 1;
   return {receptance.period,
           {receptance.receptance.begin(), receptance.receptance.begin() + count},
-          receptance.free_response.topRows(count)};
+          receptance.free_response.topRows(count),
+          receptance.rigid,
+          receptance.rigid_load};
 }
 
 ContinuationPoint continuation_start(const ContactReceptance& receptance) {

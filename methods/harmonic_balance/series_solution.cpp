@@ -11,6 +11,7 @@
 
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
+#include "methods/structure/mean_balance.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
 
@@ -74,10 +75,13 @@ double net_work_ratio(const Eigen::MatrixXcd& x, const Eigen::MatrixXcd& lambda)
 }
 
 FourierTrajectory::Data series_data(const ProjectedEquations& equations, Eigen::MatrixXcd lambda) {
-  Eigen::MatrixXcd x = contact_motion(equations.receptance, lambda);
-  return {equations.receptance.period, std::move(x),
-          std::move(lambda),           equations.gap,
-          equations.law.constant,      equations.law.multiplier_weight};
+  Eigen::MatrixXcd x = carried_motion(equations.receptance, lambda);
+  return {equations.receptance.period,
+          std::move(x),
+          balanced_force(equations.receptance, lambda),
+          equations.gap,
+          equations.law.constant,
+          equations.law.multiplier_weight};
 }
 
 Solution exact_solution(const ProjectedEquations& equations, const ExactProjection& solved,

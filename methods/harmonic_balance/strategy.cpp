@@ -20,6 +20,7 @@
 #include "methods/harmonic_balance/series_solution.hpp"
 #include "methods/harmonic_balance/stiffness_continuation.hpp"
 #include "methods/refinement.hpp"
+#include "methods/structure/mean_balance.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
@@ -32,7 +33,7 @@ std::optional<Solution> newton_from_guess(const HarmonicSetup& setup, const Star
   if (!start.guess || !setup.without_grid() || !setup.method.newton_from_guess) return std::nullopt;
   const int harmonics = setup.receptance.harmonics();
   const ExactProjection near =
-      project_exactly(setup.equations(), force_spectrum(*start.guess, harmonics),
+      project_exactly(setup.equations(), carried_spectrum(setup.receptance, *start.guess),
                       {.samples = kCoarseSampling * std::max(harmonics, kFewestOnGrid),
                        .tolerance = setup.options.tolerance});
   count_iterations(near.iterations, work);
@@ -117,7 +118,8 @@ std::optional<Solution> continuation_in_harmonics(const HarmonicSetup& setup, co
   if (!base) return std::nullopt;
   const ExactProjection continued =
       continue_in_harmonics(setup.receptance, setup.gap, setup.method.law_at, first,
-                            base->trajectory->force_coefficients(), setup.options.tolerance, start);
+                            carried_spectrum(truncated(setup.receptance, first.harmonics), *base->trajectory),
+                            setup.options.tolerance, start);
   count_iterations(continued.iterations, work);
   if (!continued.converged) return std::nullopt;
   return exact_solution(setup.equations(), continued,
@@ -151,7 +153,7 @@ std::optional<NearbyForce> nearby_force(const HarmonicSetup& setup, const Start&
   if (few.harmonics == 0 || !setup.has_many_unknowns()) return std::nullopt;
   const std::optional<Solution> base = solve_few_harmonics(setup, few, start, work);
   if (!base) return std::nullopt;
-  return NearbyForce{.lambda = force_spectrum(*base->trajectory, setup.receptance.harmonics()),
+  return NearbyForce{.lambda = carried_spectrum(setup.receptance, *base->trajectory),
                      .origin = "few harmonics"};
 }
 

@@ -15,6 +15,7 @@
 #include "methods/hat_functions/marched_contact.hpp"
 #include "methods/hat_functions/period_marching.hpp"
 #include "methods/marching/periodic_march.hpp"
+#include "methods/solvers/lcp/bordered_lcp.hpp"
 #include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "methods/structure/receptance.hpp"
@@ -53,10 +54,10 @@ class PreparedHat final : public PreparedMethod {
         marched_(reduction_to_march()) {}
 
   Solution solve(const Start& start) override {
-    if (receptance_.contacts() == 0) return finish(Eigen::VectorXd{}, {.status = LcpStatus::solved});
+    if (receptance_.contacts() == 0) return finish(Eigen::VectorXd{}, {}, {.status = LcpStatus::solved});
     const HatForm form = hat_form(receptance_, stops_, samples());
     const LcpResult result = solve(form, start);
-    return finish(form.pressure(result.z), result);
+    return finish(form.pressure(result.z), rigid_mean(receptance_, form.lcp, form.unit, result.z), result);
   }
 
  private:
@@ -112,6 +113,7 @@ class PreparedHat final : public PreparedMethod {
   /// What attempt 0 marches; null where a path of pivots is short, no solver is left open, or the march does
   /// not represent the scene.
   [[nodiscard]] std::shared_ptr<const ContactReduction> reduction_to_march() const {
+    if (receptance_.rigid_count() > 0) return nullptr;
     const bool is_short =
         receptance_.contacts() * samples() < kLongPathUnknowns && problem_.size() <= kMostFactorised;
     const bool open = options_.solver == ComplementaritySolver::automatic && options_.max_iterations == 0;
@@ -138,6 +140,9 @@ class PreparedHat final : public PreparedMethod {
   /// another scheme or not quite periodic, leave gaps negative.
   [[nodiscard]] LcpResult newton_from(const HatForm& form, const Eigen::VectorXd& z,
                                       const Start& start) const {
+    if (form.lcp.free > 0)
+      return solve_by_newton(form.lcp, {.tolerance = options_.tolerance, .deadline = start.deadline},
+                             with_free_unknowns(form.lcp, z));
     const Eigen::VectorXd w = form.lcp.offset + *form.lcp.matrix * z;
     return solve_by_newton_from(form.lcp, {.tolerance = options_.tolerance, .deadline = start.deadline},
                                 (z.array() > 0.0).select(z, -w.cwiseMax(0.0)));
@@ -151,11 +156,12 @@ class PreparedHat final : public PreparedMethod {
     return newton_from(form, form.scaled(pressure), start);
   }
 
-  /// Nodal motion behind the nodal pressures -lambda >= 0 [N].
-  [[nodiscard]] Solution finish(const Eigen::VectorXd& pressure, const LcpResult& result) const {
+  /// Nodal motion behind the nodal pressures -lambda >= 0 [N] and the mean of rigid motions.
+  [[nodiscard]] Solution finish(const Eigen::VectorXd& pressure, const Eigen::RowVectorXd& mean,
+                                const LcpResult& result) const {
     const int contacts = receptance_.contacts();
     Solution solution;
-    solution.trajectory = nodal_motion(receptance_, pressure, samples());
+    solution.trajectory = nodal_motion(receptance_, pressure, samples(), mean);
     const bool finite = solution.trajectory != nullptr;
     solution.verdict =
         finite && result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;
@@ -218,9 +224,11 @@ void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme sche
 }
 
 std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptance,
-                                               const Eigen::VectorXd& pressure, int samples) {
+                                               const Eigen::VectorXd& pressure, int samples,
+                                               const Eigen::RowVectorXd& mean) {
   Eigen::MatrixXd force = -pressure.reshaped(samples, receptance.contacts());
   Eigen::MatrixXd x = nodal_response(receptance, force);
+  if (receptance.rigid_count() > 0) x.rowwise() += mean;
   if (!x.allFinite() || !force.allFinite()) return nullptr;
   return std::make_shared<NodalTrajectory>(receptance.period, std::move(x), std::move(force));
 }

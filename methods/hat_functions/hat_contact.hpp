@@ -61,9 +61,11 @@ ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int 
 void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme scheme, int samples);
 
 /// The motion behind nodal pressures -lambda [N], N Nc one contact after another: x_n = x_free,n + C_n
-/// lambda_n. Null where it is not finite.
+/// lambda_n. Null where it is not finite. \param mean  E a of the rigid motions, Nc, added to x_0 where there
+/// are some [m]
 std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptance,
-                                               const Eigen::VectorXd& pressure, int samples);
+                                               const Eigen::VectorXd& pressure, int samples,
+                                               const Eigen::RowVectorXd& mean);
 
 /// Whether a grid of so many nodes resolves the load.
 Support grid_support(const Problem& problem, int samples);

@@ -10,6 +10,7 @@
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/flow/flow.hpp"
 #include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -140,9 +141,29 @@ double quiet_instant(const std::vector<Push>& pushes, double period) {
   return wrapped_time(quiet ? middle : longest_break(edges, period).second, period);
 }
 
+// The y of (I - Phi(T)) y = d where free motions return by themselves and the equations hold to what a grid
+// errs: next to displacements x of the contacts where there is a choice. In units of X and V.
+Eigen::VectorXd nearest_closing_state(const FlowStructure& structure, const Eigen::MatrixXd& closing,
+                                      const Eigen::VectorXd& d, const Eigen::VectorXd& x) {
+  constexpr double kFollow = 1e-3, kNothingElse = 1e-9;  // weights
+  const Eigen::Index states = d.size(), contacts = x.size();
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * states + contacts, states);
+  A.topRows(states) = closing;
+  A.block(states, 0, contacts, structure.size()) = kFollow * structure.directions.transpose();
+  A.block(states, structure.size(), structure.relaxing(), structure.relaxing())
+      .diagonal()
+      .setConstant(kFollow);
+  A.bottomRows(states).diagonal().setConstant(kNothingElse);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(A.rows());
+  b.head(states + contacts) << d, kFollow * x;
+  return full_rank_least_squares(A, b);
+}
+
 // The structure's periodic state at `time` under load and impulses: y_0 = (I - Phi(T))^-1 times what load and
-// impulses of one period make of a structure at rest, for y_0 itself returns as Phi(T) y_0.
-std::optional<State> periodic_state(OrbitModel& model, double time, std::vector<Impulse> impulses) {
+// impulses of one period make of a structure at rest, for y_0 itself returns as Phi(T) y_0. Where a part
+// returns by itself, as one that no spring holds, that of all which is next to the motion of the contacts.
+State periodic_state(OrbitModel& model, double time, std::vector<Impulse> impulses,
+                     const Trajectory& motion) {
   const ContactDynamics& dynamics = model.dynamics;
   const int states = dynamics.states();
   const LinearFlow& flow =
@@ -158,8 +179,22 @@ std::optional<State> periodic_state(OrbitModel& model, double time, std::vector<
   sum << end.u + struck.u, end.v + struck.v;
   const LuFactors lu(Eigen::MatrixXd::Identity(states, states) - flow.transition(model.period));
   const Eigen::VectorXd y = lu.solve(sum);
-  if (!y.allFinite() || !(lu.reciprocal_condition() > 1e-13)) return std::nullopt;
-  return State{.u = y.head(dynamics.positions()), .v = y.tail(dynamics.size())};
+  if (y.allFinite() && lu.reciprocal_condition() > 1e-13)
+    return {.u = y.head(dynamics.positions()), .v = y.tail(dynamics.size())};
+  const MotionScales& scales = dynamics.scales();
+  Eigen::VectorXd units(states);
+  units << Eigen::VectorXd::Constant(dynamics.positions(), scales.displacement),
+      Eigen::VectorXd::Constant(dynamics.size(), scales.velocity);
+  const Eigen::MatrixXd closing =
+      Eigen::MatrixXd::Identity(states, states) -
+      units.cwiseInverse().asDiagonal() * flow.transition(model.period) * units.asDiagonal();
+  const int count = motion.nodes().value_or(4096);
+  const long instant = std::lround(wrapped_time(time, model.period) / model.period * count);
+  Eigen::VectorXd x = motion.sample(count).x.row(instant % count).transpose();
+  if (dynamics.structure().relaxing() == 0) x -= dynamics.structure().shift_at(time, 0);
+  const Eigen::VectorXd near = units.cwiseProduct(nearest_closing_state(
+      dynamics.structure(), closing, sum.cwiseQuotient(units), x / scales.displacement));
+  return {.u = near.head(dynamics.positions()), .v = near.tail(dynamics.size())};
 }
 
 // The events of the pushes, ordered after the section, with the contacts closed after each.
@@ -277,9 +312,8 @@ std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajec
                 .closed = std::vector<bool>(static_cast<std::size_t>(model.dynamics.contact_count()), false)},
       .events = {},
       .origin = "the contact force"};
-  auto state = periodic_state(model, guess.start.time, std::move(impulses));
-  if (!state) return std::nullopt;
-  guess.start.state = std::move(*state);
+  guess.start.state = periodic_state(model, guess.start.time, std::move(impulses), trajectory);
+  if (!guess.start.state.u.allFinite() || !guess.start.state.v.allFinite()) return std::nullopt;
   guess.events = events_of(model.dynamics, pushes, guess.start, model.period);
   return guess;
 }

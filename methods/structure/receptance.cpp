@@ -15,6 +15,7 @@
 #include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/contact_reduction.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
+#include "methods/structure/rigid_motions.hpp"
 #include "problems/matrix_properties.hpp"
 
 namespace signorini {
@@ -221,7 +222,7 @@ void factorise_harmonics(const Problem& problem, const std::vector<int>& harmoni
   const Eigen::MatrixXcd kept = contacts <= kColumns ? normals(0, contacts) : Eigen::MatrixXcd{};
   for (const int n : harmonics) {
     const HarmonicWeights weight = weights(n);
-    stiffness.factorise(weight);
+    if (!factorise_or_hold(problem, weight, stiffness, result)) continue;
     Eigen::MatrixXcd& receptance = result.receptance[static_cast<std::size_t>(n)];
     receptance.resize(contacts, contacts);
     for (int first = 0; first < contacts; first += kColumns) {
@@ -318,7 +319,7 @@ ReducedReceptance reduced_contact_receptance(const Problem& problem, int harmoni
   }
   if (prefers_modes(problem, harmonics)) {
     ContactReduction modes = modal_reduction(problem);
-    if (modes.obstacle.empty()) {
+    if (modes.obstacle.empty() && modes.squares.minCoeff() > 0.0) {
       ContactReceptance value = contact_receptance(modes, problem.period(), harmonics, weights);
       return {.value = std::move(value), .reduction = std::move(modes)};
     }

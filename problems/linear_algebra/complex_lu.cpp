@@ -12,7 +12,11 @@ Eigen::MatrixXcd ComplexLuFactors::solve(const Eigen::MatrixXcd& B) const { retu
 
 Eigen::MatrixXcd ComplexLuFactors::inverse() const { return lu_.inverse(); }
 
-double ComplexLuFactors::reciprocal_condition() const { return lu_.rcond(); }
+double ComplexLuFactors::reciprocal_condition() const {
+  // Behind a pivot that is zero the estimate is made of what division by it leaves.
+  if (lu_.rows() > 0 && lu_.matrixLU().diagonal().cwiseAbs().minCoeff() == 0.0) return 0.0;
+  return lu_.rcond();
+}
 
 CompleteComplexLuFactors::CompleteComplexLuFactors(const Eigen::MatrixXcd& A) : lu_(A) {}
 

@@ -7,6 +7,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
+#include "methods/structure/mean_balance.hpp"
 #include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
@@ -102,7 +103,7 @@ bool SeriesCurve::evaluate(const Eigen::VectorXd& x) {
 
   x_ = x;
   lambda_ = force(x);
-  motion_ = contact_motion(receptance_.value, lambda_);
+  motion_ = carried_motion(receptance_.value, lambda_);
   constexpr double kUnasked = 1.0;  // a tolerance: `error` is not asked for
   pressing_.emplace(ProjectedEquations{receptance_.value, gap_, law_}, family_.samples * multiple_, kUnasked,
                     StopShifts{}, family_.integral);
@@ -118,12 +119,16 @@ bool SeriesCurve::evaluate(const Eigen::VectorXd& x) {
 Eigen::MatrixXcd SeriesCurve::pressure_rate() const {
   Eigen::MatrixXcd clearance = motion_;
   clearance.row(0) -= gap_.transpose();
+  const Eigen::MatrixXcd lambda = balanced_force(receptance_.value, lambda_);
   Eigen::MatrixXcd motion_rate = receptance_.free_response;
   for (Eigen::Index n = 0; n <= harmonics_; ++n)
     motion_rate.row(n) +=
-        (receptance_.receptance[static_cast<std::size_t>(n)] * lambda_.row(n).transpose()).transpose();
+        (receptance_.receptance[static_cast<std::size_t>(n)] * lambda.row(n).transpose()).transpose();
+  if (const MeanBalance balance(receptance_.value); balance.compliance.size() > 0)  // as 1 / w^2
+    motion_rate.row(0) -=
+        (2.0 / problem_.frequency) * (balance.compliance * lambda_.row(0).transpose()).transpose();
   return clearance * law_rate_.constant.asDiagonal() + motion_rate * law_.constant.asDiagonal() -
-         lambda_ * law_rate_.multiplier_weight.asDiagonal();
+         lambda * law_rate_.multiplier_weight.asDiagonal();
 }
 
 Eigen::MatrixXd SeriesCurve::jacobian() const {
@@ -139,8 +144,9 @@ Eigen::MatrixXd SeriesCurve::jacobian() const {
 }
 
 Eigen::VectorXcd SeriesCurve::pressure(Eigen::Index contact) const {
+  const Eigen::MatrixXcd lambda = balanced_force(receptance_.value, lambda_);
   Eigen::VectorXcd y =
-      law_.constant[contact] * motion_.col(contact) - law_.multiplier_weight[contact] * lambda_.col(contact);
+      law_.constant[contact] * motion_.col(contact) - law_.multiplier_weight[contact] * lambda.col(contact);
   y[0] -= law_.constant[contact] * gap_[contact];
   return y;
 }
@@ -148,12 +154,16 @@ Eigen::VectorXcd SeriesCurve::pressure(Eigen::Index contact) const {
 Eigen::VectorXd SeriesCurve::pressure_gradient(Eigen::Index contact, double time) const {
   const Eigen::Index stride = 2 * harmonics_ + 1;
   Eigen::VectorXd gradient(size() + 1);
+  const MeanBalance balance(receptance_.value);
   for (Eigen::Index j = 0; j < gap_.size(); ++j) {
     for (Eigen::Index n = 0; n <= harmonics_; ++n) {
       Complex b =
           law_.constant[contact] * receptance_.value.receptance[static_cast<std::size_t>(n)](contact, j);
       if (j == contact) b -= law_.multiplier_weight[contact];
       if (n == 0) {
+        if (balance.share.size() > 0)
+          b = law_.constant[contact] * balance.moved(contact, j) -
+              law_.multiplier_weight[contact] * ((j == contact ? 1.0 : 0.0) - balance.share(contact, j));
         gradient[j * stride] = b.real();
         continue;
       }

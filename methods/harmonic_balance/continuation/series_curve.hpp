@@ -52,7 +52,8 @@ class SeriesCurve {
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   [[nodiscard]] double noise() const { return noise_; }
 
-  /// The unknowns of a force at a frequency. \param lambda  n = 0..H, (H+1) x Nc [N]
+  /// The unknowns of a force at a frequency. \param lambda  n = 0..H, (H+1) x Nc; mu (MeanBalance) wherever
+  /// lambda is said, of a structure with rigid motions [N]
   [[nodiscard]] Eigen::VectorXd unknowns(const Eigen::MatrixXcd& lambda, double frequency) const;
   /// lambda of unknowns, (H+1) x Nc [N].
   [[nodiscard]] Eigen::MatrixXcd force(const Eigen::VectorXd& x) const;
@@ -64,9 +65,10 @@ class SeriesCurve {
   [[nodiscard]] int harmonics() const { return harmonics_; }        ///< H of the motions of this multiple
   [[nodiscard]] int order() const { return problem_.subharmonic; }  ///< forcing periods per period
   // Of the last evaluation:
-  [[nodiscard]] const Problem& problem() const { return problem_; }         ///< at its frequency and order
-  [[nodiscard]] double frequency() const { return problem_.frequency; }     ///< [rad/s]
-  [[nodiscard]] const Eigen::VectorXd& x() const { return x_; }             ///< the unknowns
+  [[nodiscard]] const Problem& problem() const { return problem_; }  ///< at its frequency and order
+  [[nodiscard]] const ContactReceptance& receptance() const { return receptance_.value; }  ///< C_n, x_f
+  [[nodiscard]] double frequency() const { return problem_.frequency; }                    ///< [rad/s]
+  [[nodiscard]] const Eigen::VectorXd& x() const { return x_; }                            ///< the unknowns
   [[nodiscard]] const Eigen::MatrixXcd& motion() const { return motion_; }  ///< x_n, (H+1) x Nc [m]
   [[nodiscard]] const ProjectedLaw& law() const { return law_; }            ///< c, alpha
   /// When each contact presses, Nc lists.

@@ -11,7 +11,7 @@
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/harmonic_balance/continuation/series_symmetry.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
-#include "methods/structure/periodic_response.hpp"
+#include "methods/structure/mean_balance.hpp"
 
 namespace signorini {
 
@@ -34,14 +34,17 @@ class SeriesDiagram final : public MethodDiagram<SeriesStart> {
     SeriesCurve curve(family_, 1);
     const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, contacts());
     const bool free = curve.evaluate(curve.unknowns(none, frequency)) &&
+                      curve.receptance().rigid_count() == 0 &&  // else one of a family, to any mean
                       std::ranges::all_of(curve.contacts(), [](const auto& c) { return c.empty(); });
     return free ? std::optional(into_interval(curve)) : std::nullopt;
   }
 
   std::optional<SeriesStart> on_curve(const EndAnswer& answer) override {
     SeriesCurve curve(family_, 1);
+    const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, contacts());
+    if (!curve.evaluate(curve.unknowns(none, answer.problem.frequency))) return std::nullopt;
     const Eigen::VectorXd x =
-        curve.unknowns(force_spectrum(*answer.motion, curve.harmonics()), answer.problem.frequency);
+        curve.unknowns(carried_spectrum(curve.receptance(), *answer.motion), answer.problem.frequency);
     return correct_at_parameter(curve, x) ? std::optional(into_interval(curve)) : std::nullopt;
   }
 

@@ -50,6 +50,8 @@ HatCurve::HatCurve(const HatFamily& family, int multiple)
   weight_.resize(problem_.contact_count());
   for (int c = 0; c < problem_.contact_count(); ++c)
     weight_[c] = std::abs(middle(c * samples_, c * samples_)) / family.displacement_unit;
+  const Eigen::MatrixXd& E = receptance_.value.rigid;
+  if (E.cols() > 0) border_ = E * E.colwise().lpNorm<Eigen::Infinity>().cwiseInverse().asDiagonal();
   const double largest = weight_.maxCoeff();
   // A contact whose own lag vanishes by accident borrows the scale of the others.
   weight_ = weight_.cwiseMax(largest > 0.0 ? 1e-3 * largest : 1.0);
@@ -87,7 +89,7 @@ bool HatCurve::evaluate(const Eigen::VectorXd& x) {
   }
   x_ = x;
   pressure_ = Eigen::VectorXd::Zero(nodes());
-  for (Eigen::Index k = 0; k < size(); ++k) {
+  for (Eigen::Index k = 0; k < pressing_count(); ++k) {
     const int node = pressing_[static_cast<std::size_t>(k)];
     pressure_[node] = x[k] / weight(node);
   }
@@ -99,6 +101,18 @@ bool HatCurve::evaluate(const Eigen::VectorXd& x) {
   for (int c = 0; c < problem_.contact_count(); ++c)
     gaps_.segment(c * samples_, samples_).array() += stops_.gap[c];
   gaps_ /= unit;
+  if (rigid_count() > 0) {
+    const Eigen::VectorXd means = border_ * x.segment(pressing_count(), rigid_count());
+    Eigen::VectorXd sums(problem_.contact_count());
+    for (int c = 0; c < problem_.contact_count(); ++c) {
+      gaps_.segment(c * samples_, samples_).array() -= means[c];
+      sums[c] = pressure_.segment(c * samples_, samples_).sum();
+    }
+    const Eigen::VectorXd scale =
+        receptance_.value.rigid.colwise().lpNorm<Eigen::Infinity>().transpose().cwiseInverse();
+    balance_ = weight_.maxCoeff() *
+               (border_.transpose() * sums - samples_ * scale.cwiseProduct(receptance_.value.rigid_load));
+  }
   rates_ = (family_.frequency_unit / unit) * (shifted_samples(receptance_.free_response) + rate * pressure_);
   constexpr double kOperations = 64.0;  // of rounding in a transform
   noise_ = kOperations * std::numeric_limits<double>::epsilon() *
@@ -106,20 +120,35 @@ bool HatCurve::evaluate(const Eigen::VectorXd& x) {
   return gaps_.allFinite() && rates_.allFinite();
 }
 
-Eigen::VectorXd HatCurve::residual() const { return gaps_(pressing_); }
+Eigen::VectorXd HatCurve::residual() const {
+  Eigen::VectorXd result(size());
+  result << gaps_(pressing_), balance_.head(rigid_count());
+  return result;
+}
 
 Eigen::MatrixXd HatCurve::jacobian() const {
   Eigen::MatrixXd J(size(), size() + 1);
   if (size() == 0) return J;
-  J.leftCols(size()) = matrix_->submatrix(pressing_, pressing_) / family_.displacement_unit;
-  for (Eigen::Index k = 0; k < size(); ++k) J.col(k) /= weight(pressing_[static_cast<std::size_t>(k)]);
-  J.col(size()) = rates_(pressing_);
+  const Eigen::Index count = pressing_count(), m = rigid_count();
+  J.topLeftCorner(count, count) = matrix_->submatrix(pressing_, pressing_) / family_.displacement_unit;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const int node = pressing_[static_cast<std::size_t>(k)];
+    J.col(k).head(count) /= weight(node);
+    if (m == 0) continue;
+    J.row(k).segment(count, m) = -border_.row(node / samples_);
+    J.col(k).tail(m) = weight_.maxCoeff() / weight(node) * border_.row(node / samples_).transpose();
+  }
+  J.block(count, count, m, m).setZero();
+  J.col(size()).head(count) = rates_(pressing_);
+  J.col(size()).tail(m).setZero();
   return J;
 }
 
 double HatCurve::gap_rate(int node, const Eigen::VectorXd& tangent) const {
   double rate = rates_[node] * tangent[size()];
-  for (Eigen::Index k = 0; k < size(); ++k) {
+  if (rigid_count() > 0)
+    rate -= border_.row(node / samples_).dot(tangent.segment(pressing_count(), rigid_count()));
+  for (Eigen::Index k = 0; k < pressing_count(); ++k) {
     const int other = pressing_[static_cast<std::size_t>(k)];
     rate += (*matrix_)(node, other) / (family_.displacement_unit * weight(other)) * tangent[k];
   }
@@ -127,15 +156,15 @@ double HatCurve::gap_rate(int node, const Eigen::VectorXd& tangent) const {
 }
 
 Eigen::VectorXd HatCurve::on_all(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(nodes() + 1);
-  for (Eigen::Index k = 0; k < size(); ++k) all[pressing_[static_cast<std::size_t>(k)]] = x[k];
-  all[nodes()] = x[size()];
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(nodes() + rigid_count() + 1);
+  for (Eigen::Index k = 0; k < pressing_count(); ++k) all[pressing_[static_cast<std::size_t>(k)]] = x[k];
+  all.tail(rigid_count() + 1) = x.tail(rigid_count() + 1);
   return all;
 }
 
 Eigen::VectorXd HatCurve::on_pressing(const Eigen::VectorXd& all) const {
   Eigen::VectorXd x(size() + 1);
-  x << all(pressing_), all[nodes()];
+  x << all(pressing_), all.tail(rigid_count() + 1);
   return x;
 }
 
@@ -150,6 +179,9 @@ Eigen::MatrixXd HatCurve::motion() const {
   const Eigen::MatrixXcd spectrum = contact_motion(receptance_.value, force);
   Eigen::MatrixXd x(samples_, contacts);
   for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
+  if (rigid_count() > 0)
+    x.rowwise() +=
+        (family_.displacement_unit * border_ * x_.segment(pressing_count(), rigid_count())).transpose();
   return x;
 }
 

@@ -31,7 +31,9 @@ struct HatFamily {
 /// (hat_form) as a CurveEquations: the nodes S press, the others are open. It is smooth; S changes where a
 /// pressure or a gap becomes zero, which is for the caller to see. Unknowns: p_S times the diagonal of A at
 /// the middle of the interval over the unit of displacement, then the frequency over its unit. All
-/// derivatives by the frequency are exact.
+/// derivatives by the frequency are exact. On a structure with rigid motions their means E a are unknowns,
+/// too, between p_S and the frequency, over the unit of displacement, and their balance is asked for beside
+/// w_S = 0.
 class HatCurve {
  public:
   /// For motions of `multiple` periods of the scene's order, on as many times its nodes. \param family  kept
@@ -42,14 +44,18 @@ class HatCurve {
   void press(std::vector<int> pressing) { pressing_ = std::move(pressing); }
   [[nodiscard]] const std::vector<int>& pressing() const { return pressing_; }  ///< S
 
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(pressing_.size()); }  ///< |S|
+  /// |S|.
+  [[nodiscard]] Eigen::Index pressing_count() const { return static_cast<Eigen::Index>(pressing_.size()); }
+  /// m, rigid motions that contacts feel.
+  [[nodiscard]] Eigen::Index rigid_count() const { return border_.cols(); }
+  [[nodiscard]] Eigen::Index size() const { return pressing_count() + rigid_count(); }  ///< |S| + m
   /// False where the frequency is not positive, the structure resonates undamped or w is not finite.
   bool evaluate(const Eigen::VectorXd& x);
   [[nodiscard]] Eigen::VectorXd residual() const;
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   [[nodiscard]] double noise() const { return noise_; }
 
-  /// Unknowns of all nodes, N Nc + 1, from those of S, and back.
+  /// Unknowns of all nodes, N Nc + m + 1, from those of S, and back.
   [[nodiscard]] Eigen::VectorXd on_all(const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd on_pressing(const Eigen::VectorXd& all) const;
 
@@ -79,7 +85,9 @@ class HatCurve {
   Problem problem_;
   NodalStops stops_;
   Eigen::VectorXd weight_;  // per contact
+  Eigen::MatrixXd border_;  // E, each column over its largest entry, Nc x m
   std::vector<int> pressing_;
+  Eigen::VectorXd balance_;  // sum of E^T p over the nodes less N R^T f_0, in the units of the unknowns
   Eigen::VectorXd x_, pressure_, gaps_, rates_;  // rates_: of the gaps by the frequency, p held
   double noise_ = 0.0;
   ReceptanceRate receptance_;

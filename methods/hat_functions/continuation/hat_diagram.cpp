@@ -24,6 +24,7 @@ class HatDiagram final : public MethodDiagram<HatStart> {
  private:
   std::optional<HatStart> contact_free(double frequency) override {
     HatCurve curve(family_, 1);
+    if (curve.rigid_count() > 0) return std::nullopt;  // one of a family, to any mean
     const Eigen::VectorXd x = Eigen::VectorXd::Constant(1, frequency / family_.frequency_unit);
     const bool free = curve.evaluate(x) && curve.gaps().minCoeff() > 0.0;
     return free ? std::optional(into_interval(curve)) : std::nullopt;
@@ -33,7 +34,7 @@ class HatDiagram final : public MethodDiagram<HatStart> {
   std::optional<HatStart> on_curve(const EndAnswer& answer) override {
     HatCurve curve(family_, 1);
     const Eigen::MatrixXd force = answer.motion->sample(curve.samples()).force;
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(curve.nodes() + 1);
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(curve.nodes() + curve.rigid_count() + 1);
     std::vector<int> pressing;
     for (int node = 0; node < curve.nodes(); ++node) {
       const double pressure = -force(node % curve.samples(), node / curve.samples());
@@ -41,7 +42,8 @@ class HatDiagram final : public MethodDiagram<HatStart> {
       pressing.push_back(node);
       all[node] = pressure * curve.weight(node);
     }
-    all[curve.nodes()] = answer.problem.frequency / family_.frequency_unit;
+    all[all.size() - 1] = answer.problem.frequency / family_.frequency_unit;
+    if (curve.rigid_count() > 0 && pressing.empty()) return std::nullopt;
     curve.press(pressing);
     const bool solved = correct_at_parameter(curve, curve.on_pressing(all)).has_value();
     return solved ? std::optional(into_interval(curve)) : std::nullopt;
@@ -104,7 +106,7 @@ class HatDiagram final : public MethodDiagram<HatStart> {
                                             int shift) const override {
     const int samples = periods * family_.samples;
     Eigen::VectorXd later = all;
-    for (int first = 0; first + samples < all.size(); first += samples) {
+    for (int first = 0; first + samples < all.size(); first += samples) {  // means of rigid motions stay
       for (int i = 0; i < samples; ++i)
         later[first + (i + shift * family_.samples) % samples] = all[first + i];
     }

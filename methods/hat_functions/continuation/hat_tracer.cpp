@@ -76,7 +76,7 @@ std::vector<Violation> violations(const HatCurve& curve, const Eigen::VectorXd& 
   constexpr double kRounding = 1e-13;  // of gaps and pressures in their units
   std::vector<Violation> found;
   std::vector<bool> presses(static_cast<std::size_t>(curve.nodes()), false);
-  for (Eigen::Index k = 0; k < curve.size(); ++k) {
+  for (Eigen::Index k = 0; k < curve.pressing_count(); ++k) {
     const int node = curve.pressing()[static_cast<std::size_t>(k)];
     presses[static_cast<std::size_t>(node)] = true;
     if (curve.x()[k] < -kRounding) found.push_back({{node, false, 0.0}, k, x[k], curve.x()[k]});
@@ -248,6 +248,8 @@ class HatTracer final : public CurveTracer<HatStart> {
     } else {
       std::erase(pressing, change.node);
     }
+    if (pressing.empty() && curve_.rigid_count() > 0)
+      return finish("nothing presses any more: free motions at any mean");
     curve_.press(pressing);
     x_ = curve_.on_pressing(all);
     if (!curve_.evaluate(x_)) return end_broken();

@@ -17,8 +17,10 @@ namespace signorini {
 /// All theta are found whose roots 256 samples of a period of the load separate. Without a periodic load one
 /// of them, for the others are the same orbit at another time. Admissible or not.
 ///
-/// \return none where the contact-free motion or the response to impulses is not unique, and for compliant or
-///         massless contacts
+/// Where the contact-free motion is not unique, as of parts that no spring holds, state and impulse solve
+/// y = Phi(n T) y + d(theta) + (0, M^-1 w) p with w^T u = g_j in their place.
+///
+/// \return none where neither has one solution, and for compliant or massless contacts
 std::vector<SequencedOrbit> one_impact_orbits(OrbitFamily& family, double parameter, int contact, int order);
 
 }  // namespace signorini

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "methods/solvers/condition_estimate.hpp"
+#include "methods/solvers/lcp/bordered_lcp.hpp"
 #include "methods/solvers/newton_krylov.hpp"
 #include "problems/linear_algebra/lu.hpp"
 
@@ -21,7 +22,9 @@ class NormalMap {
 
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& y) {
     y_ = y;
-    return (-y).cwiseMax(0.0) - lcp_.offset - *lcp_.matrix * y.cwiseMax(0.0);
+    Eigen::VectorXd gaps = (-y).cwiseMax(0.0);
+    gaps.tail(2 * lcp_.free).setZero();  // balances are equations
+    return gaps - lcp_.offset - *lcp_.matrix * y.cwiseMax(0.0);
   }
 
   /// y - y_new. With the active set S = {y > 0} frozen, F is linear and its zero is A_SS z_S = -q_S, y = z on
@@ -29,14 +32,17 @@ class NormalMap {
   [[nodiscard]] KrylovSolve solve_jacobian(const Eigen::VectorXd& /*r*/) {
     ++factorisations_;
     std::vector<int> active;
-    for (int i = 0; i < static_cast<int>(y_.size()); ++i) {
+    const auto contacts = static_cast<int>(lcp_.contact_unknowns());
+    for (int i = 0; i < contacts; ++i) {
       if (y_[i] > 0.0) active.push_back(i);
     }
+    for (int i = 0; i < lcp_.free; ++i) active.push_back(contacts + i);
     if (active.empty()) return {.x = y_ + lcp_.offset, .condition = std::nullopt};
     const KrylovSolve held = solve_held(active, -lcp_.offset(active));
     if (held.x.size() == 0 || !held.x.allFinite()) return {};
     Eigen::VectorXd zero = -(lcp_.offset + *lcp_.matrix * spread(active, held.x));
     zero(active) = held.x;
+    zero.tail(lcp_.free) = -held.x.tail(lcp_.free);  // y = (a, -a): a+ and a- are its positive parts
     return {.x = y_ - zero, .condition = held.condition};
   }
 
@@ -71,7 +77,7 @@ class NormalMap {
   /// A_SS z = b. By GMRES, (A^{-1})_SS stands for the inverse: exact where S is everything, and elsewhere up
   /// to a few dimensions for each end of an interval of contact.
   [[nodiscard]] KrylovSolve solve_held(const std::vector<int>& active, const Eigen::VectorXd& b) const {
-    if (active.size() <= kMostDense) return factorised(active, b);
+    if (active.size() <= kMostDense || lcp_.free > 0) return factorised(active, b);
     const auto product = [&](const Eigen::VectorXd& v) {
       return Eigen::VectorXd((*lcp_.matrix * spread(active, v))(active));
     };
@@ -109,8 +115,16 @@ LcpStatus status_of(NewtonEnd end) {
 
 /// Where the guess presses, y = z; elsewhere y = -w. Without a guess the contact-free response, z = 0.
 Eigen::VectorXd first_iterate(const Lcp& lcp, const Eigen::VectorXd& guess) {
-  if (guess.size() != lcp.offset.size()) return -lcp.offset;
-  return (guess.array() > 0.0).select(guess, -(lcp.offset + *lcp.matrix * guess));
+  if (guess.size() != lcp.offset.size()) {
+    Eigen::VectorXd y = -lcp.offset;
+    y.tail(2 * lcp.free).setZero();
+    return y;
+  }
+  Eigen::VectorXd y = (guess.array() > 0.0).select(guess, -(lcp.offset + *lcp.matrix * guess));
+  const Eigen::Index n = lcp.contact_unknowns();
+  y.tail(lcp.free) = guess.tail(lcp.free) - guess.segment(n, lcp.free);
+  y.segment(n, lcp.free) = -y.tail(lcp.free);
+  return y;
 }
 
 // Covering vectors of the restarts, (amplitude, phase) of their wave: the stronger, the more different the
@@ -128,12 +142,12 @@ bool worth_a_restart(const LcpResult& result) {
 
 std::optional<LcpResult> permanent_contact(const Lcp& lcp, double tolerance) {
   for (int c = 0; c < lcp.contacts(); ++c) {
-    // Open on average: no need to solve.
-    if (!(lcp.offset.segment(c * lcp.samples, lcp.samples).sum() < 0.0)) return std::nullopt;
+    // Open on average: no need to solve, unless the mean is free.
+    if (lcp.free == 0 && !(lcp.offset.segment(c * lcp.samples, lcp.samples).sum() < 0.0)) return std::nullopt;
   }
   LcpResult result;
   result.z = lcp.matrix->solve(-lcp.offset);
-  if (!result.z.allFinite() || !(result.z.minCoeff() > 0.0)) return std::nullopt;
+  if (!result.z.allFinite() || !(result.z.head(lcp.contact_unknowns()).minCoeff() > 0.0)) return std::nullopt;
   result.residual = natural_residual(lcp, result.z);
   if (!(result.residual <= tolerance)) return std::nullopt;
   result.status = LcpStatus::solved;
@@ -160,7 +174,8 @@ LcpResult solve_by_newton_from(const Lcp& lcp, const SolverSettings& settings, E
           .condition = newton.condition};
 }
 
-LcpResult solve_lcp(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess) {
+LcpResult solve_lcp(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& contacts_guess) {
+  const Eigen::VectorXd guess = with_free_unknowns(lcp, contacts_guess);
   if (settings.solver == ComplementaritySolver::newton) return solve_by_newton(lcp, settings, guess);
   const bool automatic = settings.solver == ComplementaritySolver::automatic;
   const bool warm = guess.size() > 0;

@@ -78,8 +78,15 @@ struct Lcp {
   /// problem is that of a single instant [-]
   int samples = 1;
 
+  /// m, unknowns of any sign behind those of the contacts, each as two that are not negative
+  /// (bordered_lcp.hpp)
+  /// [-]
+  int free = 0;
+
+  /// N Nc.
+  [[nodiscard]] Eigen::Index contact_unknowns() const { return offset.size() - 2 * free; }
   /// Nc, the runs of N unknowns.
-  [[nodiscard]] int contacts() const { return static_cast<int>(offset.size()) / samples; }
+  [[nodiscard]] int contacts() const { return static_cast<int>(contact_unknowns()) / samples; }
 };
 
 /// How a complementarity problem is solved.

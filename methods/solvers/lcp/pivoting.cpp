@@ -25,6 +25,14 @@ Eigen::VectorXd spread(const std::vector<int>& places, const Eigen::VectorXd& ba
   return z;
 }
 
+/// d of a cold path: smooth on the contacts, 1 on the rows of balances.
+Eigen::VectorXd cold_cover(const Lcp& lcp, const SolverSettings& settings) {
+  Eigen::VectorXd cover = Eigen::VectorXd::Ones(lcp.offset.size());
+  cover.head(lcp.contact_unknowns()) =
+      smooth_cover(lcp.samples, lcp.contacts(), settings.cover_amplitude, settings.cover_phase);
+  return cover;
+}
+
 /// Lemke's method step by step. At every vertex of the path one pair (z_i, w_i) has both members outside the
 /// basis, at zero; one of the two is about to grow, the driving variable. It moves until a basic variable
 /// blocks; driving and blocking variable change places, and the complement of the blocking one drives next.
@@ -64,7 +72,7 @@ class LemkePath {
   /// tau comes down from infinity with z = 0: at tau = max(-q_i / d_i) the tightest gap closes, tau takes the
   /// place of its w in the basis, and its z drives.
   void start_cold() {
-    set_cover(smooth_cover(lcp_.samples, lcp_.contacts(), settings_.cover_amplitude, settings_.cover_phase));
+    set_cover(cold_cover(lcp_, settings_));
     (-lcp_.offset.array() / basis_.cover().array()).maxCoeff(&pair_);
     basis_.begin_with_tau(pair_);
     open_->hold(pair_);

@@ -1,0 +1,201 @@
+#include "methods/structure/rigid_motions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "methods/solvers/lcp/lcp.hpp"
+#include "problems/definite_solver.hpp"
+#include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
+#include "problems/linear_algebra/symmetric_eigen.hpp"
+#include "problems/matrix_properties.hpp"
+#include "problems/skew_parts.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double kNoSpring = 1e-12;  // of the diagonal: rounding of an assembly
+constexpr int kMostByAllEigenvalues = 400;
+
+/// S K S of unit diagonal, S diagonal; 1 on rows without one.
+SparseMatrix unit_diagonal(const SparseMatrix& K, Eigen::VectorXd& scale) {
+  scale =
+      Eigen::VectorXd(K.diagonal()).unaryExpr([](double k) { return k > 0.0 ? 1.0 / std::sqrt(k) : 1.0; });
+  return scale.asDiagonal() * K * scale.asDiagonal();
+}
+
+/// Vectors of the least eigenvalues of A, symmetric and semidefinite of unit diagonal: those below kNoSpring.
+Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
+  constexpr double kShift = 1e-9;
+  constexpr int kColumnsAtFirst = 8, kMostColumns = 64, kIterations = 12;
+  SparseMatrix one(A.rows(), A.cols());
+  one.setIdentity();
+  const SparseMatrix shifted = A + kShift * one;
+  const auto solver = factorise_here(shifted);
+  if (!solver->definite()) return Eigen::MatrixXd(A.rows(), 0);
+  std::mt19937 random(1);
+  for (int columns = kColumnsAtFirst;; columns *= 2) {
+    Eigen::MatrixXd X(A.rows(), columns);
+    for (double& entry : X.reshaped()) entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    Eigen::VectorXd values;
+    for (int k = 0; k < kIterations; ++k) {
+      X = solver->solve(X);
+      const SymmetricEigen ritz = generalised_eigen(X.transpose() * (A * X), X.transpose() * X);
+      if (!ritz.converged) return Eigen::MatrixXd(A.rows(), 0);
+      X = X * ritz.vectors;
+      values = ritz.values;
+    }
+    const Eigen::Index count = (values.array() < kNoSpring).count();
+    if (count < columns || columns >= kMostColumns) return X.leftCols(count);
+  }
+}
+
+/// The same to any size.
+Eigen::MatrixXd null_space(const SparseMatrix& A) {
+  if (A.rows() > kMostByAllEigenvalues) return null_space_by_iteration(A);
+  const SymmetricEigen all = symmetric_eigen(Eigen::MatrixXd(A));
+  if (!all.converged || all.values[0] < -kNoSpring) return Eigen::MatrixXd(A.rows(), 0);
+  return all.vectors.leftCols((all.values.array() < kNoSpring).count());
+}
+
+/// The largest components of a direction, the largest of them 1: "coordinate 0: 1, coordinate 3: -0.5".
+std::string direction_text(const Eigen::VectorXd& direction) {
+  constexpr std::size_t kMostNamed = 4;
+  std::vector<int> order(static_cast<std::size_t>(direction.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order,
+                           [&](int i, int j) { return std::abs(direction[i]) > std::abs(direction[j]); });
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kMostNamed, order.size()); ++k) {
+    const double part = direction[order[k]];
+    if (std::abs(part) < 1e-6) break;
+    text += fmt::format("{}coordinate {}: {:.3g}", k == 0 ? "" : ", ", order[k], part);
+  }
+  return order.size() > kMostNamed ? text + ", ..." : text;
+}
+
+/// \param motions  R  \param rest  of R^T f_0, what nothing balances
+NoPeriodicMotion unbalanced(const Eigen::MatrixXd& motions, const Eigen::VectorXd& rest) {
+  Eigen::VectorXd direction = motions * rest;
+  const double largest = direction.lpNorm<Eigen::Infinity>();
+  direction /= largest;
+  return NoPeriodicMotion{
+      fmt::format("no periodic motion: neither springs nor contacts balance the mean load of {:.6g} N along "
+                  "the free motion "
+                  "({})",
+                  rest.squaredNorm() / largest, direction_text(direction))};
+}
+
+/// m coordinates that hold R, Nd x m, in place: those of the largest pivots.
+std::vector<Eigen::Index> supports(Eigen::MatrixXd R) {
+  std::vector<Eigen::Index> held;
+  for (Eigen::Index k = 0; k < R.cols(); ++k) {
+    Eigen::Index row = 0, column = 0;
+    R.rightCols(R.cols() - k).cwiseAbs().maxCoeff(&row, &column);
+    R.col(k).swap(R.col(k + column));
+    for (Eigen::Index j = k + 1; j < R.cols(); ++j) R.col(j) -= R(row, j) / R(row, k) * R.col(k);
+    held.push_back(row);
+  }
+  return held;
+}
+
+}  // namespace
+
+Eigen::MatrixXd rigid_motions(const Problem& problem) {
+  const SparseMatrix& K = problem.stiffness();
+  const bool symmetric = is_symmetric(K);
+  Eigen::VectorXd scale;
+  const SparseMatrix A = unit_diagonal(symmetric ? K : symmetric_part(K), scale);
+  Eigen::MatrixXd R = scale.asDiagonal() * null_space(A);
+  const Eigen::MatrixXd none(K.rows(), 0);
+  if (R.cols() == 0) return none;
+  if (!symmetric) {
+    const double bound =
+        kNoSpring * largest_entry(K) * R.cwiseAbs().maxCoeff() * static_cast<double>(K.rows());
+    if (!((K * R).cwiseAbs().maxCoeff() <= bound)) return none;
+  }
+  for (Eigen::Index k = 0; k < R.cols(); ++k) R.col(k) /= R.col(k).lpNorm<Eigen::Infinity>();
+  const CholeskyFactors inertia(R.transpose() * (problem.mass() * R));
+  if (!inertia.definite()) return none;
+  inertia.normalise_columns(R);
+  return R;
+}
+
+HeldStructure::HeldStructure(const Problem& problem, const Eigen::MatrixXd& motions, double rate)
+    : motions_(motions), moments_(problem.mass() * motions), compliance_(1.0 / (rate * rate)) {
+  SparseMatrix supported = problem.stiffness();
+  const double largest = largest_entry(supported);
+  for (const Eigen::Index i : supports(motions)) {
+    const double own = supported.coeff(i, i);
+    supported.coeffRef(i, i) += own > 0.0 ? own : (largest > 0.0 ? largest : 1.0);
+  }
+  supported.makeCompressed();
+  supported_ = SparseLu(supported);
+  if (!supported_.regular()) throw SingularStiffness();
+}
+
+Eigen::MatrixXd HeldStructure::solve(const Eigen::MatrixXd& load) const {
+  const Eigen::MatrixXd moving = motions_.transpose() * load;
+  const Eigen::MatrixXd balanced = load - moments_ * moving;
+  Eigen::MatrixXd u = supported_.solve(balanced);
+  if (!u.allFinite()) throw SingularStiffness();
+  u -= motions_ * (moments_.transpose() * u);
+  return u + compliance_ * (motions_ * moving);
+}
+
+void fill_static_receptance(const Problem& problem, const Eigen::MatrixXd& motions,
+                            ContactReceptance& result) {
+  constexpr double kUnfelt = 1e-10, kBalanced = 1e-9;
+  const Eigen::MatrixXd directions(contact_directions(problem));
+  const Eigen::VectorXd load = load_coefficient(problem, 0).real();
+  const HeldStructure held(problem, motions, problem.base_frequency());
+  result.receptance.front() = (directions.transpose() * held.solve(directions)).cast<std::complex<double>>();
+  result.free_response.row(0) =
+      (directions.transpose() * held.solve(load)).transpose().cast<std::complex<double>>();
+
+  // Motions along which contacts are felt, and others: the right singular vectors of E.
+  const SingularValues felt = singular_vectors(directions.transpose() * motions);
+  const Eigen::Index all = motions.cols();
+  const double largest = felt.values.size() > 0 ? felt.values[0] : 0.0;
+  const Eigen::Index count = (felt.values.array() > kUnfelt * largest).count();
+  const Eigen::MatrixXd turned = motions * felt.V;
+  const Eigen::VectorXd moving = turned.transpose() * load;
+  const double scale = (turned.cwiseAbs().transpose() * load.cwiseAbs()).maxCoeff();
+  const Eigen::VectorXd unfelt = moving.tail(all - count);
+  if (unfelt.size() > 0 && unfelt.lpNorm<Eigen::Infinity>() > kBalanced * scale)
+    throw unbalanced(turned.rightCols(all - count), unfelt);
+  if (count == 0) return;
+  result.rigid = directions.transpose() * turned.leftCols(count);
+  result.rigid_load = moving.head(count);
+
+  // min |R^T f_0 - E^T z| over z >= 0: what is left is a motion that the load drives and no contact stops.
+  const Eigen::MatrixXd& E = result.rigid;
+  const std::vector<bool> held_rows(static_cast<std::size_t>(E.rows()), false);
+  const auto z = solve_small_lcp(E * E.transpose(), -(E * result.rigid_load), held_rows);
+  if (!z) return;
+  const Eigen::VectorXd rest = result.rigid_load - E.transpose() * *z;
+  if (rest.lpNorm<Eigen::Infinity>() > kBalanced * scale) throw unbalanced(turned.leftCols(count), rest);
+}
+
+bool factorise_or_hold(const Problem& problem, const HarmonicWeights& weight, DynamicStiffness& stiffness,
+                       ContactReceptance& result) {
+  try {
+    stiffness.factorise(weight);
+    return true;
+  } catch (const SingularStiffness&) {
+    if (weight.mass != 0.0 || weight.damping != 0.0) throw;
+    const Eigen::MatrixXd motions = rigid_motions(problem);
+    if (motions.cols() == 0) throw;
+    fill_static_receptance(problem, motions, result);
+    return false;
+  }
+}
+
+}  // namespace signorini

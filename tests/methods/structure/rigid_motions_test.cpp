@@ -1,0 +1,116 @@
+#include "methods/structure/rigid_motions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "methods/structure/receptance.hpp"
+#include "problems/assembly/chain.hpp"
+#include "tests/support/loose_parts.hpp"
+
+namespace signorini::rigid_motions_test {
+namespace {
+
+Problem of_matrices(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
+  Problem problem;
+  problem.edit_structure([&](Structure& s) {
+    s.mass = mass.sparseView();
+    s.stiffness = stiffness.sparseView();
+    s.damping = SparseMatrix(mass.rows(), mass.cols());
+  });
+  return problem;
+}
+
+/// n masses of 2 kg, joined by springs, held nowhere.
+Problem free_chain(int n, double spring) {
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  for (int i = 0; i + 1 < n; ++i) {
+    K(i, i) += spring;
+    K(i + 1, i + 1) += spring;
+    K(i, i + 1) = K(i + 1, i) = -spring;
+  }
+  return of_matrices(2.0 * Eigen::MatrixXd::Identity(n, n), K);
+}
+
+TEST(RigidMotions, AreOfUnitInertiaAndStrainNothing) {
+  for (const int n : {1, 3, 40, 500}) {  // 500: by inverse iteration
+    const Problem problem = free_chain(n, 1e7);
+    const Eigen::MatrixXd R = rigid_motions(problem);
+    ASSERT_EQ(R.cols(), 1) << n;
+    EXPECT_NEAR((R.transpose() * problem.mass() * R)(0, 0), 1.0, 1e-9);
+    EXPECT_LE((R.array() - R(0, 0)).abs().maxCoeff(), 1e-7 * std::abs(R(0, 0))) << n;
+  }
+}
+
+TEST(RigidMotions, AreNoneOfStructuresOnSpringsHoweverDifferentTheirUnits) {
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3, 3);
+  K.diagonal() << 1e-8, 1.0, 1e20;
+  EXPECT_EQ(rigid_motions(of_matrices(Eigen::MatrixXd::Identity(3, 3), K)).cols(), 0);
+}
+
+TEST(RigidMotions, OfPartsAreOnePerPart) {
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3, 3);
+  K(1, 1) = 1000.0;
+  EXPECT_EQ(rigid_motions(of_matrices(Eigen::MatrixXd::Identity(3, 3), K)).cols(), 2);
+}
+
+TEST(RigidMotions, AreNoneWhereOneCarriesNoMass) {
+  Eigen::MatrixXd M = Eigen::MatrixXd::Identity(2, 2);
+  M(1, 1) = 0.0;
+  EXPECT_EQ(rigid_motions(of_matrices(M, Eigen::MatrixXd::Zero(2, 2))).cols(), 0);
+}
+
+TEST(HeldStructure, DeflectsAsTheStructureWithASpringOnEachRigidMotion) {
+  const Problem problem = free_chain(4, 3.0);
+  const Eigen::MatrixXd R = rigid_motions(problem);
+  constexpr double kRate = 1.7;
+  const Eigen::MatrixXd moments = problem.mass() * R;
+  const Eigen::MatrixXd held =
+      Eigen::MatrixXd(problem.stiffness()) + kRate * kRate * moments * moments.transpose();
+  const Eigen::MatrixXd u = HeldStructure(problem, R, kRate).solve(Eigen::MatrixXd::Identity(4, 4));
+  EXPECT_LE((held * u - Eigen::MatrixXd::Identity(4, 4)).norm(), 1e-12);
+}
+
+TEST(StaticReceptance, KeepsTheMeanLoadThatContactsAreToBalance) {
+  const ContactReceptance receptance = fourier_receptance(test::gear_backlash(), 3);
+  ASSERT_EQ(receptance.rigid_count(), 1);
+  // Both contacts feel the one motion, with opposite signs; m = 1.
+  EXPECT_NEAR(receptance.rigid(0, 0), -receptance.rigid(1, 0), 1e-15);
+  EXPECT_NEAR(receptance.rigid(0, 0) * receptance.rigid_load[0], 0.1, 1e-15);
+}
+
+TEST(StaticReceptance, LeavesOutMotionsThatNoContactFeels) {
+  Problem problem = of_matrices(Eigen::Matrix2d::Identity(), Eigen::Vector2d(1.0, 0.0).asDiagonal());
+  problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.2}};
+  problem.law = Restitution{0.8};
+  problem.force = {{.dof = 0, .cos = 1.0}};
+  problem.frequency = 2.2;
+  const ContactReceptance receptance = fourier_receptance(problem, 1);
+  EXPECT_EQ(receptance.rigid_count(), 0);
+  EXPECT_NEAR(receptance.receptance[0](0, 0).real(), 1.0, 1e-14);
+}
+
+TEST(StaticReceptance, NamesTheDirectionAlongWhichNothingBalancesTheLoad) {
+  Problem ball = test::bouncing_ball();
+  ball.force.front().cos = -9.81;  // away from its one stop
+  try {
+    fourier_receptance(ball, 3);
+    FAIL();
+  } catch (const NoPeriodicMotion& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("no periodic motion"), std::string::npos) << text;
+    EXPECT_NE(text.find("9.81 N"), std::string::npos) << text;
+    EXPECT_NE(text.find("coordinate 0: -1"), std::string::npos) << text;
+  }
+}
+
+TEST(StaticReceptance, ThrowsWhereAnIdlePartIsDriven) {
+  Problem problem = of_matrices(Eigen::Matrix2d::Identity(), Eigen::Vector2d(1.0, 0.0).asDiagonal());
+  problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.2}};
+  problem.law = Restitution{0.8};
+  problem.force = {{.dof = 1, .harmonic = 0, .cos = 3.0}};
+  EXPECT_THROW(fourier_receptance(problem, 1), NoPeriodicMotion);
+}
+
+}  // namespace
+}  // namespace signorini::rigid_motions_test
