@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -165,12 +164,12 @@ struct CurveLimits {
   std::vector<KnownMotion> begin_at = {};  ///< beside what a method begins at by itself, where it can
   TakeBranch take = {};                    ///< called with each branch as soon as it is known
   /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  Deadline deadline = {};
   std::function<bool()> stopped = {};  ///< true ends it at once, with what there is
 
   /// Whether it is over; methods ask between steps.
   [[nodiscard]] bool expired() const {
-    return (stopped && stopped()) || Start{.guess = {}, .deadline = deadline}.expired();
+    return (stopped && stopped()) || deadline.passed();
   }
 };
 

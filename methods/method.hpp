@@ -1,13 +1,13 @@
 #pragma once
 // The plugin interface. A method turns a Problem into a Solution; it never scores itself.
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "methods/deadline.hpp"
 #include "methods/options.hpp"
 #include "methods/solution.hpp"
 #include "problems/problem.hpp"
@@ -30,13 +30,10 @@ struct Support {
 struct Start {
   std::shared_ptr<const Trajectory> guess = {};  ///< null: cold start
   /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  Deadline deadline = {};
 
   /// True once the time budget is spent; methods ask between iterations and end `not_converged`.
-  [[nodiscard]] bool expired() const {
-    return deadline != std::chrono::steady_clock::time_point::max() &&
-           std::chrono::steady_clock::now() > deadline;
-  }
+  [[nodiscard]] bool expired() const { return deadline.passed(); }
 };
 
 /// Times that a prepared method tells itself, apart from what it costs to reach it.

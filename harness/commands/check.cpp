@@ -114,7 +114,7 @@ void add_check_command(const Command& program, int& exit_code) {
       .one_word();
   command.option("--checks", arguments->checks, fmt::format("by glob, of {}", joined(check_names(), ", ")))
       .shows_default();
-  command.option("--timeout", arguments->timeout, "wall time of one solve [s]")
+  command.option("--timeout", arguments->timeout, "processor time of one solve [s]")
       .check(positive_seconds)
       .shows_default();
   command.flag("--json", arguments->json, "print the findings as a JSON array");

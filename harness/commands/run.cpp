@@ -177,7 +177,7 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
   command.option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
   command.flag("--resume", arguments->resume,
                "keep the records that are there, run what is missing or stale");
-  command.option("--timeout", arguments->timeout, "wall time of one run [s]").check(positive_seconds);
+  command.option("--timeout", arguments->timeout, "processor time of one run [s]").check(positive_seconds);
   command.option("--memory", arguments->memory_mb, "address space that one run may take [MiB]")
       .range(64, 1 << 24);
   command.option("--repetitions", arguments->repetitions, "rounds of timing").range(1, 1000);

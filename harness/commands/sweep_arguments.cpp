@@ -82,7 +82,7 @@ void add_sweep_options(const Command& command, SweepArguments& arguments) {
                "and back again from the last answer: where the ways differ, several motions coexist");
   command.flag("--certify", arguments.limits.certified,
                "look for the orbit behind each answer: whether there is one, and whether it is stable");
-  command.option("--timeout", arguments.limits.timeout, "wall time of one solve [s]")
+  command.option("--timeout", arguments.limits.timeout, "processor time of one solve [s]")
       .check(positive_seconds)
       .shows_default();
   command

@@ -118,7 +118,7 @@ std::size_t update_scene(const VerifyArguments& arguments, const fs::path& file,
       arguments.subharmonics.value_or(std::max(before, default_subharmonics(scene.problem)));
   auto found = search(scene, options);
   if (!found) return 1;
-  if (kept) add_missed(scene, *kept, deadline_after(options.timeout), *found);
+  if (kept) add_missed(scene, *kept, Deadline::after(options.timeout), *found);
   const std::string text = print_orbit_file(*found);
   const bool same = fs::exists(file) && read_file(file) == text;
   if (!same) write_whole(file, text);
@@ -142,7 +142,7 @@ std::size_t verify_scene(const VerifyArguments& arguments, const fs::path& file,
     options.timeout = arguments.options.timeout;
     auto now = search(scene, options);
     if (!now || interrupted()) return 1;
-    add_missed(scene, kept, deadline_after(options.timeout), *now);
+    add_missed(scene, kept, Deadline::after(options.timeout), *now);
     result = compare_orbits(kept, *now);
   }
   print_lines(result.differences);

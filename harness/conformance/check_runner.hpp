@@ -14,7 +14,7 @@ namespace signorini {
 struct CheckOptions {
   std::vector<Scene> scenes = {};
   std::string checks = "*";  ///< filter of globs on the names of the checks
-  double timeout = 10.0;     ///< wall time of one solve [s]
+  double timeout = 10.0;     ///< processor time of one solve [s]
 };
 
 /// Called with one line before each group of checks: the method, and the scene.

@@ -115,7 +115,7 @@ const Solution& CheckedMethod::answer() const {
 
 Solution CheckedMethod::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const {
   const std::unique_ptr<PreparedMethod> prepared = method_->prepare(problem);
-  return prepared->solve({.guess = std::move(guess), .deadline = deadline_after(settings_.timeout)});
+  return prepared->solve({.guess = std::move(guess), .deadline = Deadline::after(settings_.timeout)});
 }
 
 CheckedMethod CheckedMethod::with(const Settings& resolution) const {

@@ -17,7 +17,7 @@ struct CheckSettings {
   int grid = 64;  ///< instants of a period at which answers are compared; the method's own grid if it has one
   double agreement = 1e-8;  ///< of answers to equivalent problems, relative to the largest x and force [-]
   double identity = 1e-9;   ///< of one trajectory with itself at common instants, relative [-]
-  double timeout = 10.0;    ///< wall time of one solve [s]
+  double timeout = 10.0;    ///< processor time of one solve [s]
   double patience = 1.0;    ///< allowed from the end of the time budget to the end of the solve [s]
 };
 

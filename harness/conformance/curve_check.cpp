@@ -79,7 +79,7 @@ CheckResult check_curve(const CheckedMethod& checked) {
       curve->follow(scene, {.max_order = checked.problem().subharmonic,
                             .phases = kPhases,
                             .at = {kPlaces[1] * frequency},
-                            .deadline = deadline_after(checked.settings().timeout)});
+                            .deadline = Deadline::after(checked.settings().timeout)});
   const auto first = checked.answer().trajectory;
   const Solution last = checked.solve(scene.at(scene.to));
   // Inside, another motion may be nearer to a solve than those of the branches: one way there must lead to

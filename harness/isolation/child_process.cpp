@@ -5,12 +5,16 @@
 #include <sys/syscall.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
+#include <sstream>
+#include <string>
 #include <system_error>
 #include <thread>
 
@@ -35,6 +39,23 @@ void close_all_but(int kept) {
   const auto number = static_cast<unsigned>(kept);
   if (number > kFirst) close_range(kFirst, number - 1, 0);
   close_range(number + 1, ~0U, 0);
+}
+
+/// Processor time of a process, of its children that it has waited for, and of those that run [s].
+double processor_seconds_of(pid_t process) {
+  const std::string folder = "/proc/" + std::to_string(process);
+  std::ifstream stat(folder + "/stat");
+  std::string text;
+  std::getline(stat, text);
+  std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));  // from the third on
+  constexpr int kFirstTime = 14, kLastTime = 17;  // of both in user and system mode (proc(5))
+  double ticks = 0.0;
+  for (int field = 3; field <= kLastTime && fields >> text; ++field)
+    if (field >= kFirstTime) ticks += std::strtod(text.c_str(), nullptr);
+  double seconds = ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+  std::ifstream children(folder + "/task/" + std::to_string(process) + "/children");
+  for (pid_t child = 0; children >> child;) seconds += processor_seconds_of(child);
+  return seconds;
 }
 
 void prepare_child(pid_t parent, const StandardStreams& streams, int kept) {
@@ -104,6 +125,8 @@ bool ChildProcess::has_ended() const {
   siginfo_t info{};
   return waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id_;
 }
+
+double ChildProcess::processor_seconds() const { return processor_seconds_of(id_); }
 
 void ChildProcess::send_signal(int signal) const { kill(-id_, signal); }
 

@@ -80,6 +80,9 @@ class ChildProcess {
   [[nodiscard]] bool has_ended() const;
   /// Readable, for poll(2), once the child has ended; -1 on systems that offer no such descriptor.
   [[nodiscard]] int end_descriptor() const { return end_.number(); }
+  /// Processor time so far of the child, of what has ended below it, and of what runs there, in steps of some
+  /// 10 ms [s].
+  [[nodiscard]] double processor_seconds() const;
   /// Sends a signal to the whole group.
   void send_signal(int signal) const;
   /// Kills what is left of the group and waits for the child; to be called once. \return as of waitpid(2)

@@ -64,8 +64,8 @@ void limit_soft(int resource, rlim_t value) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
-/// Limit of processor time, in whole seconds, that one thread cannot reach within this wall time.
-rlim_t processor_seconds(double wall_seconds) { return static_cast<rlim_t>(std::ceil(wall_seconds)) + 1; }
+/// Limit of processor time that the system keeps, in whole seconds: later than the parent ends a child.
+rlim_t processor_seconds(double seconds) { return static_cast<rlim_t>(std::ceil(seconds)) + 1; }
 
 /// Address space that this process has mapped [bytes].
 rlim_t mapped_bytes() {
@@ -156,12 +156,14 @@ class IsolatedChild {
   [[nodiscard]] ChildEnd take_end() { return std::move(end_); }
 
  private:
-  /// Sets the limits of wall and processor time for what comes until the next line.
+  /// Sets the limits of processor and wall time for what comes until the next line.
   void begin_stage() {
     const std::size_t stages = limits_.stage_seconds.size(), stage = end_.lines.size();
     const double seconds =
         limits_.stage_seconds[limits_.repeated ? stage % stages : std::min(stage, stages - 1)];
-    deadline_ = deadline_after(seconds);
+    deadline_ = Deadline::after_wall(seconds);
+    ceiling_ = Deadline::after_wall(Deadline::kWallPerProcessor * seconds);
+    processor_ = process_.processor_seconds() + seconds;
     allowed_seconds_ += seconds;
     rlimit limit{};
     if (prlimit(id(), RLIMIT_CPU, nullptr, &limit) != 0) return;  // it is dead already
@@ -201,11 +203,12 @@ class IsolatedChild {
   void stop(ChildEnd::Kind reason) {
     stopped_ = reason;
     process_.send_signal(SIGTERM);
-    deadline_ = deadline_after(limits_.grace);
+    deadline_ = ceiling_ = Deadline::after_wall(limits_.grace);
   }
 
   void enforce_deadline() {
-    if (std::chrono::steady_clock::now() < deadline_) return;
+    // Of processor time a child has no more than has passed.
+    if (!deadline_.passed() || !(ceiling_.passed() || process_.processor_seconds() > processor_)) return;
     if (!stopped_) {
       stop(ChildEnd::Kind::timed_out);
     } else {
@@ -239,7 +242,8 @@ class IsolatedChild {
   bool work_ended_ = false;   ///< the child reported how its work ended
   std::optional<ChildEnd::Kind> stopped_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  Deadline deadline_;
+  Deadline deadline_, ceiling_;   ///< of wall time: before the one it is left alone, at the other it is ended
+  double processor_ = 0.0;        ///< at which it is ended in between [s]
   double allowed_seconds_ = 0.0;  ///< of all stages so far
   ChildEnd end_;
 };
@@ -304,7 +308,7 @@ std::string describe(const ChildEnd& end) {
     case ChildEnd::Kind::timed_out:
       return "stopped at the time limit";
     case ChildEnd::Kind::out_of_processor_time:
-      return "stopped at the limit of processor time: more than one thread is at work";
+      return "stopped at the limit of processor time";
     case ChildEnd::Kind::flooded:
       return "stopped: it wrote more than a record into the pipe of the harness";
     case ChildEnd::Kind::interrupted:

@@ -11,8 +11,9 @@ namespace signorini {
 
 /// What a child may use.
 struct IsolationLimits {
-  /// Wall time until each line that the child sends [s]; the last one holds for all later lines and the end.
-  /// The same limits hold for processor time since its start, plus one second: enough for one thread.
+  /// Processor time, its descendants' included, until each line that the child sends [s]; the last one holds
+  /// for all later lines and the end. Of wall time it may take Deadline::kWallPerProcessor times as much. The
+  /// system ends a process that has all of it so far and one second more.
   std::vector<double> stage_seconds{30.0};
   /// After the last one they begin anew with the first, in place of the last one holding.
   bool repeated = false;
@@ -30,7 +31,7 @@ struct ChildEnd {
     out_of_memory,          ///< the work threw std::bad_alloc
     exited,                 ///< the process ended with `code` before the work returned
     signalled,              ///< signal `code` ended the process
-    timed_out,              ///< the parent ended it at its limit of wall time
+    timed_out,              ///< the parent ended it at its limit of processor or wall time
     out_of_processor_time,  ///< the system ended it at its limit of processor time
     flooded,                ///< the parent ended it because it sent a line without end
     interrupted             ///< the parent ended it because it was itself asked to stop (SIGINT, SIGTERM)

@@ -108,7 +108,7 @@ class Attempts {
   /// answer wrong; the orbits found, all far away, speak for it; where none was found, the answer itself.
   void give_up(Deadline deadline, KeptSpace& spaces) {
     Certificate& certificate = result.certificate;
-    certificate.expired = std::chrono::steady_clock::now() > deadline;
+    certificate.expired = deadline.passed();
     if (near_.empty() && !may_be_near_) {
       if (refutation_.empty() && !certificate.distance) refutation_ = own_defect(spaces);
       certificate.refutation = refutation_;
@@ -222,7 +222,7 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
       options.begin = wrapped_time(quiet_instant(motion) + k * motion.period() / kShootings, motion.period());
       orbit = find_orbit(same_order, tools.solver, options, {.guess = answer, .deadline = deadline},
                          kLargestErrorBar);
-      if (std::chrono::steady_clock::now() > deadline) break;
+      if (deadline.passed()) break;
     }
     return attempts.take(orbit);
   };

@@ -100,7 +100,7 @@ bool almost_an_orbit(const ExactOrbit& found) {
 
 CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
                       std::span<const Certificate> confirmed, Deadline deadline) {
-  const auto expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
+  const auto expired = [deadline] { return deadline.passed(); };
   OrbitFinder finder(problem);
   SearchOptions options;
   options.polish.second_evaluation = true;
@@ -145,7 +145,7 @@ CertifiedOrbit corrected_orbit(const Problem& problem, const Trajectory* answer,
   const ContactSpace& space = *kept;
   if (!space.obstacle().empty()) return {.reason = space.obstacle()};
   OrbitCorrectionSettings settings;
-  settings.search.expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
+  settings.search.expired = [deadline] { return deadline.passed(); };
   const CorrectedOrbit found = (answer == nullptr ? find_reduced_orbit(problem, space, settings)
                                                   : polish_reduced_orbit(problem, space, *answer, settings))
                                    .corrected;

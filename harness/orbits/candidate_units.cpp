@@ -66,7 +66,7 @@ std::optional<CandidateUnit> cold_start(const Problem& problem, const MethodChoi
             .origin = OrbitCandidate::Origin::method, .source = choice.label(), .order = order};
         // Exceptions of the method leave the unit: its process ends, and the parent takes note.
         const Problem at = with_subharmonic(problem, order);
-        const Deadline limit = std::min(deadline, deadline_after(kMethodSeconds));
+        const Deadline limit = Deadline::first_of(deadline, Deadline::after(kMethodSeconds));
         const std::unique_ptr<Method> method = choice.make();
         const Solution solution = method->prepare(at)->solve({.guess = {}, .deadline = limit});
         take_answer(at, solution, limit, candidate);
@@ -154,8 +154,8 @@ CandidateUnit coarse_grids(const Problem& problem, int order) {
         const Problem at = with_subharmonic(problem, order);
         for (const int per_period : {48, 112}) {
           for (int turn = 0; turn < 6; ++turn) {
-            if (Deadline::clock::now() > deadline) return;
-            deliver(grid_candidate(at, per_period, turn, std::min(deadline, deadline_after(kGridSeconds))));
+            if (deadline.passed()) return;
+            deliver(grid_candidate(at, per_period, turn, Deadline::first_of(deadline, Deadline::after(kGridSeconds))));
           }
         }
       }};
@@ -193,7 +193,7 @@ OrbitCandidate search_from_state(const Problem& at, int number, unsigned seed, D
                            .order = at.subharmonic};
   std::seed_seq seeds{seed, static_cast<unsigned>(at.subharmonic), static_cast<unsigned>(number)};
   std::mt19937_64 generator(seeds);
-  const SearchOptions options = search_until(std::min(deadline, deadline_after(kStateSeconds)));
+  const SearchOptions options = search_until(Deadline::first_of(deadline, Deadline::after(kStateSeconds)));
   OrbitFinder finder(at);
   try {
     const FlowState start = random_state(*finder.model(), generator, options);
@@ -215,7 +215,7 @@ CandidateUnit random_states(const Problem& problem, int order, int first, int la
   return {fmt::format("random states {}..{}", first, last - 1),
           [&problem, order, first, last, seed](const CandidateUnit::Deliver& deliver, Deadline deadline) {
             const Problem at = with_subharmonic(problem, order);
-            for (int number = first; number < last && Deadline::clock::now() <= deadline; ++number)
+            for (int number = first; number < last && !deadline.passed(); ++number)
               deliver(search_from_state(at, number, seed, deadline));
           }};
 }

@@ -56,7 +56,7 @@ void take_search(const OrbitSearch& search, OrbitCandidate& candidate) {
 
 SearchOptions search_until(Deadline deadline) {
   SearchOptions options;
-  options.expired = [deadline] { return Start{.guess = {}, .deadline = deadline}.expired(); };
+  options.expired = [deadline] { return deadline.passed(); };
   return options;
 }
 

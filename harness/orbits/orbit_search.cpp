@@ -23,7 +23,6 @@ namespace signorini {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr int kSearchProcesses = 2;
@@ -214,7 +213,7 @@ std::optional<double> FoundOrbit::largest_multiplier() const {
 
 SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
                             const OrbitPolisher& polish, const SearchProgress& progress) {
-  const Deadline deadline = deadline_after(options.timeout);
+  const Deadline deadline = Deadline::after_wall(options.timeout);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
   OrbitCollection collection(problem, certify, deadline);
   if (prefers_reduction(problem)) collection.add_large(reduced_orbits()(problem, deadline));
@@ -223,12 +222,12 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
     return std::move(collection.result);
   }
   for (int order = 1; order <= options.subharmonics; ++order) {
-    if (interrupted() || Clock::now() > deadline) break;
+    if (interrupted() || deadline.passed()) break;
     if (progress) progress(order);
     run_units(candidate_units(problem, order, options.starts, options.seed), deadline, collection);
   }
   collection.result.interrupted = interrupted();
-  collection.result.expired = Clock::now() > deadline;
+  collection.result.expired = deadline.passed();
   sort_orbits(collection.result.orbits);
   return std::move(collection.result);
 }

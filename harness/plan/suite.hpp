@@ -9,11 +9,11 @@ namespace signorini {
 
 /// What one run of a method may use, and how often it is timed.
 struct Limits {
-  double timeout = 30.0;              ///< wall time of set-up and first solve [s]
+  double timeout = 30.0;              ///< processor time of set-up and first solve [s]
   int memory_mb = 2048;               ///< address space beyond that of the program [MiB]
   int repetitions = 3;                ///< rounds of timing
-  double certificate_timeout = 10.0;  ///< wall time to find the orbit behind an answer [s]
-  double reference_timeout = 60.0;    ///< wall time to march to a scene's reference; 0: not at all [s]
+  double certificate_timeout = 10.0;  ///< processor time to find the orbit behind an answer [s]
+  double reference_timeout = 60.0;    ///< processor time to march to a scene's reference; 0: not at all [s]
 };
 
 /// A case that is known to fail, and why: it is run and recorded, but does not spoil the exit code.

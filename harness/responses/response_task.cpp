@@ -51,14 +51,14 @@ struct Asked {
                        {.max_order = question.orders,
                         .step_share = step_share,
                         .phases = phases,
-                        .deadline = deadline_after(timeout)})
+                        .deadline = Deadline::after(timeout)})
         .value();
   }
   [[nodiscard]] std::vector<SweepPoint> steps(double timeout) const {
     return frequency_response(scene, planned_case.choice, range_of(question),
                               {.timeout = kShareOfSolve * timeout,
                                .memory_mb = limits.memory_mb,
-                               .deadline = deadline_after(timeout)});
+                               .deadline = Deadline::after_wall(timeout)});
   }
 };
 

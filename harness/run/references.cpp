@@ -32,11 +32,11 @@ Reference find_reference(const Scene& scene, const RepresentedLaw& law, const Or
                          double seconds) {
   if (law_matches(law, scene.problem.law)) {
     if (std::optional<Reference> kept = kept_reference(scene, references_folder(), tools.polish,
-                                                       deadline_after(std::max(kKeptSeconds, seconds))))
+                                                       Deadline::after(std::max(kKeptSeconds, seconds))))
       return *std::move(kept);
   }
   if (seconds == 0.0) return {.reason = "not searched for"};
-  return compute_reference(under_law(scene.problem, law), tools, deadline_after(seconds));
+  return compute_reference(under_law(scene.problem, law), tools, Deadline::after(seconds));
 }
 
 Reference received_reference(const ChildEnd& end) {

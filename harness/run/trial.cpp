@@ -201,7 +201,7 @@ Round round_from(const FirstCall& first, const std::string& name, const Limits& 
     return seconds_of([&] { fresh = first.method.prepare(scenes.problem()); });
   };
   const auto solve = [&] {
-    const Start start{.guess = first.start, .deadline = deadline_after(limits.timeout)};
+    const Start start{.guess = first.start, .deadline = Deadline::after(limits.timeout)};
     Solution solution;
     const double seconds = timed_solve(scenes.next(), start, solution);
     if (!has_answer(solution)) throw no_answer(solution, start);
@@ -234,7 +234,7 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
                       const Motion& motion, Record& record) {
   const Problem problem = under_law(trial.scene.problem, trial.law);
   const CertifiedAnswer certified = certify(problem, answer, motion, trial.reference, trial.orbits,
-                                            deadline_after(trial.limits.certificate_timeout));
+                                            Deadline::after(trial.limits.certificate_timeout));
   record.certificate = certified.certificate;
   if (certified.orbit)
     record.errors = measure_errors(problem, motion, *certified.orbit, space_of_large(trial).get());
@@ -294,7 +294,7 @@ void TrialSeries::run(const Trial& trial, Record record,
   const ProcessState usual;
   ProcessorClock processor;
   const std::optional<long> before = restart_peak_memory();
-  const Start start{.guess = trial.start, .deadline = deadline_after(trial.limits.timeout)};
+  const Start start{.guess = trial.start, .deadline = Deadline::after(trial.limits.timeout)};
   const double taken = taken_.value_or(0.0);
   double setup = 0.0;
   try {
@@ -360,7 +360,7 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const L
   Solution solution;
   const Problem problem = problem_for(planned_case, scene.problem);
   const double setup = seconds_of([&] { prepared = method->prepare(problem); });
-  const Start begin{.guess = start, .deadline = deadline_after(limits.timeout)};
+  const Start begin{.guess = start, .deadline = Deadline::after(limits.timeout)};
   const double solve = timed_solve(*prepared, begin, solution);
   if (!has_answer(solution)) throw no_answer(solution, begin);
   const std::string answer = answer_digest(*solution.trajectory);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -131,17 +130,17 @@ BranchDiagram exact_branches(const ParametrisedScene& scene, const CurveLimits& 
 std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int values, int max_order,
                                           double timeout) {
   constexpr int kStarts = 24;
-  const Deadline deadline = deadline_after(timeout);
+  const Deadline deadline = Deadline::after_wall(timeout);
   std::vector<KnownMotion> found;
   for (int i = 0; i < values; ++i) {
-    const std::chrono::duration<double> left = (deadline - std::chrono::steady_clock::now()) / (values - i);
-    if (left.count() <= 0.0 || interrupted()) break;
+    const double left = deadline.left() / (values - i);
+    if (left <= 0.0 || interrupted()) break;
     // No fraction of the interval that its ends or a resonance would make a special one.
     const double value = scene.from + (i + 0.47) / values * (scene.to - scene.from);
     const Problem problem = scene.at(value);
     if (highest_load_harmonic(problem) == 0) break;
     for (const FoundOrbit& one :
-         find_all_orbits(problem, {.starts = kStarts, .subharmonics = max_order, .timeout = left.count()})
+         find_all_orbits(problem, {.starts = kStarts, .subharmonics = max_order, .timeout = left})
              .orbits)
       found.push_back({value, one.certified.motion});
   }

@@ -61,7 +61,7 @@ bool leads_on(const Record& record) {
 /// period; cold where none was found.
 class SweepSolves final : public SolveSeries {
  public:
-  SweepSolves(const Scene& scene, std::vector<double> frequencies, std::chrono::steady_clock::time_point end)
+  SweepSolves(const Scene& scene, std::vector<double> frequencies, Deadline end)
       : scene_(scene), frequencies_(std::move(frequencies)), end_(end) {
     scene_.problem.frequency = frequencies_.front();
   }
@@ -75,7 +75,7 @@ class SweepSolves final : public SolveSeries {
       answer_ = record;
       answered_ = scene_.problem.frequency;
     }
-    if (++next_ == frequencies_.size() || std::chrono::steady_clock::now() > end_) return false;
+    if (++next_ == frequencies_.size() || end_.passed()) return false;
     scene_.problem.frequency = frequencies_[next_];
     return true;
   }
@@ -83,7 +83,7 @@ class SweepSolves final : public SolveSeries {
  private:
   Scene scene_;
   std::vector<double> frequencies_;
-  std::chrono::steady_clock::time_point end_;
+  Deadline end_;
   std::size_t next_ = 0;
   std::optional<Record> answer_ = {};
   double answered_ = 1.0;  // frequency of the load behind it
@@ -133,7 +133,7 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
   std::vector<double> way = first;
   if (range.back) way.insert(way.end(), first.rbegin(), first.rend());
   std::vector<SweepPoint> points;
-  if (std::chrono::steady_clock::now() > limits.deadline) return points;
+  if (limits.deadline.passed()) return points;
   Runner runner(Limits{.timeout = limits.timeout, .memory_mb = limits.memory_mb, .repetitions = 1});
   const SolveExtras extras{.samples = instants_kept(scene.problem),
                            .timed = false,

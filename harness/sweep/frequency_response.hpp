@@ -1,7 +1,6 @@
 #pragma once
 // A frequency response: one solve after another, each from the answer before it.
 
-#include <chrono>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "harness/plan/plan.hpp"
 #include "harness/records/record.hpp"
 #include "harness/table.hpp"
+#include "methods/deadline.hpp"
 
 namespace signorini {
 
@@ -52,7 +52,7 @@ struct SweepLimits {
   int memory_mb = Limits{}.memory_mb;  ///< of one solve [MiB]
   bool certified = false;  ///< look for the orbit behind each answer: its stability, and whether it is one
   /// After which no solve begins.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  Deadline deadline = {};
 };
 
 /// Called with each point as soon as it is solved.

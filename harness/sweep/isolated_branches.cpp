@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -84,12 +83,11 @@ std::optional<IsolatedBranches> isolated_branches(
     const std::function<std::vector<KnownMotion>()>& beginnings) {
   if (!has_curve(method)) return std::nullopt;
   constexpr double kForever = 1e8;  // [s]: clocks count that far
-  const std::chrono::duration<double> left = limits.deadline - std::chrono::steady_clock::now();
   Received received(limits.take);
   ChildEnd last;
   run_isolated_together(
       {[&](const LineSender& send) { send_branches(scene, method, limits, beginnings, send); }},
-      {.stage_seconds = {enforced(std::clamp(left.count(), 0.0, kForever)) + kQuickSeconds},
+      {.stage_seconds = {enforced(std::clamp(limits.deadline.left(), 0.0, kForever)) + kQuickSeconds},
        .memory_mb = Limits{}.memory_mb},
       1, [&](std::size_t, const ChildEnd& end) { last = end; },
       [&](std::size_t, const std::string& line) { received.line(line); });

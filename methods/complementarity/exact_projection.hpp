@@ -2,10 +2,10 @@
 // The projected contact equations with the contact integral taken exactly, and Newton's method for them.
 
 #include <Eigen/Core>
-#include <chrono>
 #include <optional>
 
 #include "methods/complementarity/projected_law.hpp"
+#include "methods/deadline.hpp"
 #include "methods/discretisation/contact_phases.hpp"
 
 namespace signorini {
@@ -16,7 +16,7 @@ struct ExactProjectionSettings {
   double tolerance = 1e-10;  ///< on ExactProjection::residual [-]
   int most = 40;             ///< Newton steps [-]
   /// The end of the time budget, asked for between steps.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  Deadline deadline = {};
 };
 
 /// A solution of the exactly projected equations, or the best iterate.

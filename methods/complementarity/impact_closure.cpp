@@ -1,7 +1,6 @@
 #include "methods/complementarity/impact_closure.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -295,7 +294,7 @@ ImpactClosure close_impacts(const ProjectedEquations& equations, const PeriodicI
   const double enough = 0.1 * std::sqrt(settings.tolerance);
   ImpactClosure closure{.failure = "the steps are used up"};
   std::vector<ClosedContact> contacts = first_contacts(equations, impacts);
-  while (closure.steps < most && std::chrono::steady_clock::now() <= settings.deadline) {
+  while (closure.steps < most && !settings.deadline.passed()) {
     BorderedSystem system(equations, contacts);
     ++closure.steps;
     if (!system.solve(contacts, closure.condition)) {

@@ -1,6 +1,6 @@
 #include "methods/exact_orbit/exact_diagram.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -37,8 +37,6 @@ class Beginnings {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void add_contact_free() {
     for (const double end : {family_.scene().from, family_.scene().to})
       if (auto free = contact_free_orbit(family_, end)) orbits_.push_back(std::move(*free));
@@ -46,11 +44,10 @@ class Beginnings {
 
   void add_answers() {
     constexpr double kShare = 0.1;  // of the time, for those inside
-    const Clock::time_point begin = Clock::now();
-    const std::chrono::duration<double> time = limits_.deadline - begin;
+    const Deadline share = Deadline::after(std::max(0.0, kShare * limits_.deadline.left()));
     add_answer(family_.scene().from);
     add_answer(family_.scene().to);
-    for (int i = 0; i < kValues && Clock::now() - begin <= kShare * time; ++i) add_answer(value_inside(i));
+    for (int i = 0; i < kValues && !share.passed(); ++i) add_answer(value_inside(i));
   }
 
   void add_answer(double parameter) {

@@ -1,7 +1,6 @@
 #include "methods/harmonic_balance/stiffness_continuation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -47,7 +46,7 @@ class Springs {
     return solved;
   }
 
-  [[nodiscard]] bool expired() const { return std::chrono::steady_clock::now() > settings_.deadline; }
+  [[nodiscard]] bool expired() const { return settings_.deadline.passed(); }
 
  private:
   const ProjectedEquations& equations_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -125,11 +124,8 @@ class PreparedHat final : public PreparedMethod {
   /// z of the motion that the reduced structure marches to on these nodes, in a quarter of the time that is
   /// left; empty where it finds no periodic motion.
   [[nodiscard]] Eigen::VectorXd marched_guess(const HatForm& form, const Start& start) const {
-    using Clock = std::chrono::steady_clock;
     constexpr int kShare = 4;
-    const bool unlimited = start.deadline == Clock::time_point::max();
-    const auto deadline =
-        unlimited ? start.deadline : Clock::now() + (start.deadline - Clock::now()) / kShare;
+    const Deadline deadline = Deadline::after(std::max(0.0, start.deadline.left() / kShare));
     ContactMarch march(*marched_, march_grid(problem_, samples()));
     const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = deadline});
     if (!marched.found()) return {};

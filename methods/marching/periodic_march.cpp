@@ -97,7 +97,7 @@ class PeriodicSearch {
   [[nodiscard]] const Eigen::VectorXd& state() const { return state_; }
 
  private:
-  [[nodiscard]] bool late() const { return std::chrono::steady_clock::now() > settings_.deadline; }
+  [[nodiscard]] bool late() const { return settings_.deadline.passed(); }
 
   // One more period from there, which is kept: motion and forces belong to the state.
   bool judge(const Eigen::VectorXd& state, MarchedBy by) {

@@ -2,9 +2,9 @@
 // The periodic motion of a reduced structure against its stops, by marching and Newton's method.
 
 #include <Eigen/Core>
-#include <chrono>
 #include <string_view>
 
+#include "methods/deadline.hpp"
 #include "methods/marching/contact_march.hpp"
 
 namespace signorini {
@@ -16,7 +16,7 @@ struct PeriodicMarchSettings {
   int further_periods = 60;       ///< marched where it fails, before it is tried again, >= 0 [-]
   int accelerated_periods = 150;  ///< of Anderson's acceleration where it fails again, >= 0 [-]
   /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  Deadline deadline = {};
 };
 
 /// What led to a periodic motion.

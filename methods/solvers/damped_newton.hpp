@@ -1,9 +1,10 @@
 #pragma once
 // Newton's method with step halving, for any equations that can judge a step of it.
 
-#include <chrono>
 #include <concepts>
 #include <optional>
+
+#include "methods/deadline.hpp"
 
 namespace signorini {
 
@@ -32,7 +33,7 @@ struct DampedNewtonLimits {
   /// iterate: Armijo's condition on the norm, for which a Newton step predicts the decrease t. In (0, 1) [-]
   double sufficient_decrease = 1e-4;
   /// The end of the time budget, asked for before every step.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  Deadline deadline = {};
 };
 
 /// How damped_newton ended.
@@ -56,12 +57,10 @@ struct DampedNewtonResult {
 /// `stalled`. Source: [kelley1995, chapter 8].
 template <NewtonEquations Equations>
 DampedNewtonResult damped_newton(Equations& equations, const DampedNewtonLimits& limits) {
-  constexpr auto kNoDeadline = std::chrono::steady_clock::time_point::max();
   for (int steps = 0;; ++steps) {
     if (equations.solved()) return {NewtonEnd::solved, steps};
     if (steps >= limits.max_steps) return {NewtonEnd::limit, steps};
-    if (limits.deadline != kNoDeadline && std::chrono::steady_clock::now() > limits.deadline)
-      return {NewtonEnd::interrupted, steps};
+    if (limits.deadline.passed()) return {NewtonEnd::interrupted, steps};
     const std::optional<double> longest = equations.find_step();
     if (!longest) return {NewtonEnd::singular, steps};
     const double merit = equations.merit();

@@ -1,6 +1,6 @@
 // Random scenes by the thousand: what becomes of the claims of every method, with its defaults and from a
-// cold start, when the harness looks for the orbit behind each of them. A claim that the harness refutes is
-// false; there may be one in a thousand.
+// cold start, when the harness looks for the orbit behind each of them. A claim is false if the harness
+// refutes it, or the nearest orbit found is farther away than a half; there may be one in a thousand.
 //
 // Judging itself must end soon after the time that it is given, here and on every scene of the catalogue.
 //
@@ -26,13 +26,14 @@
 #include "harness/judge/certificate.hpp"
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/run/trial.hpp"
+#include "methods/refinement.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/support/population.hpp"
 
 namespace signorini::judged_population_test {
 namespace {
 
-/// Wall time of a solve, and of the search for the orbit behind its answer [s].
+/// Processor time of a solve, and of the search for the orbit behind its answer [s].
 constexpr double kSolveSeconds = 5.0, kCertificateSeconds = 5.0;
 /// Processor time that judging may take beyond that of the search [s].
 /// One eigenvalue problem of 400 unknowns, within which no deadline is asked for, takes up to two.
@@ -93,8 +94,13 @@ Judged run(const MethodEntry& entry, const Problem& problem, double solve_second
   return judged;
 }
 
+bool is_false(const Record& record) {
+  const std::optional<Claim> claim = claim_of(record);
+  return claim && (*claim == Claim::refuted || record.certificate.distance.value_or(0.0) > kNearOrbit);
+}
+
 struct Tally {
-  int scenes = 0;
+  int scenes = 0, false_claims = 0;
   std::map<std::optional<Claim>, int> claims;
   std::vector<double> solves, judgements;  // [s]
 
@@ -118,6 +124,7 @@ Tally judge(const std::string& method, const std::string& population, const std:
     const std::optional<Claim> claim = claim_of(judged.record);
     ++tally.scenes;
     ++tally.claims[claim];
+    if (is_false(judged.record)) ++tally.false_claims;
     tally.solves.push_back(judged.solve);
     tally.judgements.push_back(judged.judge);
     if (claim == Claim::certified) continue;
@@ -165,7 +172,7 @@ Tally judge_into_table(const std::string& method, const std::string& population,
                        const std::vector<Problem>& problems) {
   const Tally tally = judge(method, population, problems);
   kTable->add(method, population, tally);
-  EXPECT_LE(tally.count(Claim::refuted) * kScenesPerFalseClaim, tally.scenes) << method << ", " << population;
+  EXPECT_LE(tally.false_claims * kScenesPerFalseClaim, tally.scenes) << method << ", " << population;
   return tally;
 }
 
@@ -213,9 +220,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, HardPopulation, testing::Values("exact-orbit",
 std::optional<bool> has_separate_impacts(const Problem& problem) {
   constexpr int kInstants = 4096;
   const std::unique_ptr<Method> method = find_method("exact-orbit").make({});
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kSolveSeconds);
-  const Solution orbit = method->prepare(problem)->solve(
-      {.deadline = std::chrono::time_point_cast<std::chrono::steady_clock::duration>(end)});
+  const Solution orbit = method->prepare(problem)->solve({.deadline = Deadline::after(kSolveSeconds)});
   if (orbit.verdict != Verdict::converged) return std::nullopt;
   return (orbit.trajectory->sample(kInstants).force.array() == 0.0).all();
 }

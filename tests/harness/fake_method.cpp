@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <numbers>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 namespace signorini::test {
@@ -45,7 +44,7 @@ __attribute__((noinline)) int devour_stack(int depth) {
 }
 
 [[noreturn]] void spin_forever() {
-  for (;;) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (volatile unsigned i = 0;;) i = i + 1;
 }
 
 void allocate_without_end() {
@@ -81,7 +80,7 @@ void misbehave(Behaviour behaviour) {
     case Behaviour::orphan:
       if (fork() == 0) {
         std::signal(SIGTERM, SIG_IGN);
-        spin_forever();
+        for (;;) pause();
       }
       break;
     default:
@@ -99,7 +98,8 @@ class PreparedFake final : public PreparedMethod {
     ++solves_;
     if (behaviour_ == Behaviour::crash_when_repeated && solves_ > 1) std::abort();
     if (behaviour_ == Behaviour::obey_deadline) {
-      while (!start.expired()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (!start.expired()) {
+      }
     }
     Solution solution{.verdict = Verdict::converged, .message = "done"};
     if (behaviour_ == Behaviour::carry_on) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -192,10 +191,7 @@ std::string command_input(Json request, const Start& start) {
     samples.events.reset();  // of another motion than the command's answer, into which they may be copied
     request["start"] = {{"period", start.guess->period()}, {"trajectory", write_fields(samples)}};
   }
-  if (start.deadline != std::chrono::steady_clock::time_point::max()) {
-    request["seconds"] =
-        std::chrono::duration<double>(start.deadline - std::chrono::steady_clock::now()).count();
-  }
+  if (!start.deadline.endless()) request["seconds"] = start.deadline.left();
   return json_text(request) + "\n";
 }
 

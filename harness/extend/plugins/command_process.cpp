@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -23,6 +23,8 @@ constexpr std::size_t kMostOutput = std::size_t{1} << 30U;  // bytes
 constexpr std::size_t kSlice = std::size_t{1} << 20U;       // bytes read at once, at least what a pipe holds
 constexpr const char* kBlanks = " \t\r\n";
 constexpr std::size_t kLastWords = 400;  // bytes
+// Between two looks at a command: before its time may be up, from then on, and for its end [s].
+constexpr double kLook = 1.0, kLookLate = 0.02, kLookForEnd = 0.005;
 
 /// While it lives, writing to a command that has stopped reading is an error and no signal.
 class BrokenPipesIgnored {
@@ -44,10 +46,9 @@ void lift_limit(__rlimit_resource resource) {
 }
 
 /// Replaces this process by the command.
-[[noreturn]] void execute(const std::vector<std::string>& words, bool stays) {
+[[noreturn]] void execute(const std::vector<std::string>& words) {
   lift_limit(RLIMIT_FSIZE);  // the process of a run may write little, its command what it wants
-  // That limit is meant for one solve. A command that stays has the deadline of each.
-  if (stays) lift_limit(RLIMIT_CPU);
+  lift_limit(RLIMIT_CPU);    // it has the deadline of each solve
   for (const char* variable : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"})
     setenv(variable, "1", 1);
   std::vector<char*> arguments;
@@ -69,7 +70,7 @@ class RunningCommand {
   RunningCommand(const std::vector<std::string>& words, bool stays)
       : stays_(stays),
         process_({.in = in_.read.number(), .out = out_.write.number(), .err = err_.write.number()}, -1,
-                 [&words, stays] { execute(words, stays); }) {
+                 [&words] { execute(words); }) {
     in_.read.reset();
     out_.write.reset();
     err_.write.reset();
@@ -80,7 +81,7 @@ class RunningCommand {
 
   /// Hands over the input. Returns when the command has printed a line, if it stays; else, and without one,
   /// when it has ended.
-  CommandEnd run(std::string_view input, Deadline deadline) {
+  CommandEnd run(std::string_view input, const Deadline& deadline) {
     input_ = input;
     end_ = {};
     line_end_ = std::string::npos;
@@ -105,34 +106,35 @@ class RunningCommand {
  private:
   [[nodiscard]] bool has_answered() const { return stays_ && line_end_ != std::string::npos; }
 
-  /// Writes and reads until the command has answered or ended, the deadline has passed, or it prints too
-  /// much.
-  void exchange(Deadline deadline) {
+  /// Writes and reads until the command has answered or ended, the deadline has passed, also of its own
+  /// processor time, or it prints too much.
+  void exchange(const Deadline& deadline) {
+    const double most = process_.processor_seconds() + deadline.left();
+    const Deadline earliest = Deadline::after_wall(std::max(0.0, deadline.left()));
     while (!has_answered() && end_.output.size() <= kMostOutput) {
       const bool gone = process_.has_ended();  // then all that it printed is there to be read
-      if (!gone && std::chrono::steady_clock::now() >= deadline) {
+      const bool may_be_late = earliest.passed();
+      if (!gone && may_be_late && (deadline.passed() || process_.processor_seconds() > most)) {
         end_.expired = true;
         return;
       }
-      if (!gone) wait(deadline);
+      if (!gone) wait(may_be_late ? kLookLate : std::min(kLook, earliest.left()));
       write_input();
       read_output();
       if (gone) return;
     }
   }
 
-  /// Until something can be read or written, the command has ended, or the deadline has passed.
-  void wait(Deadline deadline) {
+  /// Until something can be read or written, the command has ended, or `seconds` have passed.
+  void wait(double seconds) {
     // Without a descriptor for its end, only looking often tells that the command has ended.
-    const auto look = std::chrono::milliseconds(process_.end_descriptor() >= 0 ? 1000 : 5);
+    if (process_.end_descriptor() < 0) seconds = std::min(seconds, kLookForEnd);
     const int in = stays_ && input_.empty() ? -1 : in_.write.number();
     std::array<pollfd, 4> places{{{.fd = in, .events = POLLOUT, .revents = 0},
                                   {.fd = out_.read.number(), .events = POLLIN, .revents = 0},
                                   {.fd = err_.read.number(), .events = POLLIN, .revents = 0},
                                   {.fd = process_.end_descriptor(), .events = POLLIN, .revents = 0}}};
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(
-        std::min<Deadline::duration>(deadline - std::chrono::steady_clock::now(), look));
-    poll(places.data(), places.size(), static_cast<int>(std::max<long>(left.count(), 0)));
+    poll(places.data(), places.size(), static_cast<int>(std::ceil(1e3 * std::max(0.0, seconds))));
   }
 
   void write_input() {

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/deadline.hpp"
 #include "methods/options.hpp"
 
 namespace signorini {
@@ -109,7 +109,7 @@ struct SolverSettings {
   double tolerance = 1e-10;                                         ///< on LcpResult::residual [-]
   int max_iterations = 0;  ///< pivots or Newton iterations; 0: the solver's own limit
   /// The end of the time budget.
-  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  Deadline deadline = {};
   double cover_amplitude =
       0.0;                   ///< of the wave of a cold path's covering vector (smooth_cover), in [0, 1) [-]
   double cover_phase = 0.0;  ///< [rad]

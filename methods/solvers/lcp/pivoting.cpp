@@ -54,7 +54,7 @@ class LemkePath {
     if (!warm) start_cold();
     if (warm && start_warm()) return conclude();
     while (result_.pivots < limit_) {
-      if (result_.pivots % kClock == 0 && std::chrono::steady_clock::now() > settings_.deadline)
+      if (result_.pivots % kClock == 0 && settings_.deadline.passed())
         return finish(LcpStatus::interrupted, open);
       if (since_refresh_++ % kRefresh == 0) recompute();
       if (!find_direction()) return finish(LcpStatus::breakdown, open);

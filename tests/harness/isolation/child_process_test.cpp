@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <thread>
 
 namespace signorini::child_process_test {
@@ -45,6 +46,28 @@ TEST(ReadAvailable, TakesWhatIsThereWithoutWaitingForMore) {
   read_available(pipe.read, text);
   EXPECT_EQ(text, "some");
   EXPECT_FALSE(pipe.read.is_open());
+}
+
+// Commands do their work below the process that is asked.
+TEST(ChildProcess, KnowsTheProcessorTimeOfItsDescendants) {
+  const auto work = [] {
+    constexpr double kSeconds = 0.1;
+    while (static_cast<double>(std::clock()) / CLOCKS_PER_SEC < kSeconds) {
+    }
+  };
+  Pipe done = make_pipe();
+  const ChildProcess child({}, done.write.number(), [&] {
+    if (fork() == 0) {
+      work();
+      say(done.write.number(), "x");
+      for (;;) pause();
+    }
+    for (;;) pause();
+  });
+  pollfd place{.fd = done.read.number(), .events = POLLIN, .revents = 0};
+  ASSERT_EQ(poll(&place, 1, 60'000), 1);
+  EXPECT_GE(child.processor_seconds(), 0.05);
+  EXPECT_LE(child.processor_seconds(), 1.0);
 }
 
 TEST(ReadAvailable, StopsBeyondTheMostItMayTake) {

@@ -72,7 +72,7 @@ TEST(RunIsolated, GivesEachStageItsOwnTime) {
       send("stage");
     }
   };
-  const ChildEnd end = run_isolated(work, {.stage_seconds = {2.0, 2.0, 0.01}, .grace = 0.1});
+  const ChildEnd end = run_isolated(work, {.stage_seconds = {2.0, 2.0, 0.001}, .grace = 0.1});
   EXPECT_EQ(end.kind, Kind::timed_out);
   EXPECT_EQ(end.lines.size(), 2U);
   EXPECT_EQ(run_isolated(work, {.stage_seconds = {2.0}, .grace = 0.1}).kind, Kind::finished);

@@ -59,7 +59,7 @@ TEST(Certificates, OfAnUnstableOrbitAreTheSameFromEveryPhase) {
     ASSERT_NE(answer, nullptr);
     const SampledAnswer sampled = sample_answer(problem, *answer);
     const Certificate certificate =
-        certify(problem, answer, sampled.motion, {}, orbit_tools(), deadline_after(60.0)).certificate;
+        certify(problem, answer, sampled.motion, {}, orbit_tools(), Deadline::after(60.0)).certificate;
     EXPECT_EQ(certificate.status, CertificateStatus::certified) << phase << ": " << certificate.reason;
     EXPECT_EQ(certificate.order, 7) << phase;
   }

@@ -73,7 +73,7 @@ TEST(OrbitCandidateJson, RefusesUnknownNamesAndMissingKeys) {
 }
 
 TEST(SearchUntil, ExpiresAtTheDeadline) {
-  EXPECT_TRUE(search_until(Deadline::clock::now() - std::chrono::seconds(1)).expired());
+  EXPECT_TRUE(search_until(Deadline::min()).expired());
   EXPECT_FALSE(search_until(Deadline::max()).expired());
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLong = 20.0;  // [s]
 
 CommandEnd run_shell(const std::string& script, std::string_view input = "", double seconds = kLong) {
-  return run_command({"sh", "-c", script}, input, deadline_after(seconds));
+  return run_command({"sh", "-c", script}, input, Deadline::after(seconds));
 }
 
 TEST(RunCommand, HandsOverItsInputAndReturnsItsOutput) {
@@ -51,7 +51,7 @@ TEST(RunCommand, NamesTheSignal) {
 }
 
 TEST(RunCommand, ThatIsNoProgramSaysSo) {
-  const CommandEnd end = run_command({"/no/such/program"}, "", deadline_after(kLong));
+  const CommandEnd end = run_command({"/no/such/program"}, "", Deadline::after(kLong));
   EXPECT_EQ(end.failure, "the command ended with exit code 127");
   EXPECT_EQ(end.last_words, "/no/such/program: No such file or directory");
 }
@@ -65,6 +65,14 @@ TEST(RunCommand, EndsAtTheDeadline) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(15));
 }
 
+// Whoever does the work.
+TEST(RunCommand, EndsAtTheLimitOfProcessorTime) {
+  for (const char* busy : {"while :; do :; done", "sh -c 'while :; do :; done'; true"}) {
+    const CommandEnd end = run_shell(busy, "", 0.3);
+    EXPECT_TRUE(end.expired) << busy << ": " << end.failure;
+  }
+}
+
 TEST(RunCommand, KeepsOnlyTheEndOfEndlessErrors) {
   const CommandEnd end = run_shell("head -c 3000000 /dev/zero | tr '\\0' 'x' >&2; echo >&2; echo last >&2");
   EXPECT_EQ(end.last_words, "last");
@@ -75,7 +83,7 @@ TEST(RunCommand, TellsLibrariesToUseOneThread) {
 }
 
 CommandEnd ask(CommandSession& session, const std::string& line, double seconds = kLong) {
-  return session.ask(line + "\n", deadline_after(seconds));
+  return session.ask(line + "\n", Deadline::after(seconds));
 }
 
 TEST(CommandSession, IsOneProcessThatAnswersEachLineWithALine) {
