@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -29,8 +30,7 @@ struct SolveArguments {
   std::vector<std::string> settings;
   std::string start;
   int samples = 0;
-  double certificate = 1.0;              // [s]
-  std::optional<double> reference = {};  // [s]
+  std::optional<double> certificate = {}, reference = {};  // [s]
   bool json = false;
   bool verbose = false;
   int harmonics = SummaryRequest{}.harmonics;
@@ -92,6 +92,12 @@ void require_coordinates(const std::vector<int>& dofs, int size) {
   }
 }
 
+/// What following a motion through time costs grows with the coordinates [s].
+double certificate_seconds(const Problem& problem) {
+  constexpr double kPerCoordinate = 1.0, kLeast = 10.0, kMost = 120.0;
+  return std::clamp(kPerCoordinate * problem.size(), kLeast, kMost);
+}
+
 int solve(const SolveArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
   const std::vector cases{
@@ -102,7 +108,7 @@ int solve(const SolveArguments& arguments) {
                      .summary = SummaryRequest{.harmonics = arguments.harmonics, .dofs = arguments.dofs}};
   watch_interrupts();
   Runner runner({.repetitions = 1,
-                 .certificate_timeout = arguments.certificate,
+                 .certificate_timeout = arguments.certificate.value_or(certificate_seconds(scene.problem)),
                  .reference_timeout = arguments.reference.value_or(0.0)});
   constexpr double kPlotTolerance = 2e-4;  // below what is seen on a page
   if (!arguments.plot.empty()) runner.keep_waveforms(kPlotTolerance);
@@ -156,9 +162,9 @@ void add_solve_command(const Command& program, int& exit_code) {
                  "start from the motion in a file that solve --json --samples wrote");
   command
       .option("--certificate", arguments->certificate,
-              "wall time of the search for the orbit behind the answer [s]")
-      .range(0.0, 86400.0)
-      .shows_default();
+              "processor time of the search for the orbit behind the answer [s]; if it is not given a second "
+              "for each coordinate of the scene, at least 10 and at most 120")
+      .range(0.0, 86400.0);
   command
       .option(
           "--reference", arguments->reference,

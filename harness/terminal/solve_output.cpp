@@ -129,8 +129,11 @@ std::string all_harmonics(const MotionSummary& motion, const std::vector<int>& c
 
 /// "certified: orbit 9b682b81, which is also reached from rest".
 std::string certificate_words(const Certificate& certificate) {
-  if (certificate.status != CertificateStatus::certified)
-    return certificate.reason.empty() ? "no reason given" : certificate.reason;
+  if (certificate.status != CertificateStatus::certified) {
+    const bool more = certificate.expired.value_or(false) && certificate.refutation.empty();
+    return (certificate.reason.empty() ? "no reason given" : certificate.reason) +
+           (more ? "; --certificate gives it more time" : "");
+  }
   const std::string orbit = certificate.orbit.value_or("unnamed");
   if (certificate.same_orbit)
     return orbit + (*certificate.same_orbit ? ", which is also reached from rest"
