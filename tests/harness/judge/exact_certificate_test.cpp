@@ -65,6 +65,46 @@ TEST(Certificates, OfAnUnstableOrbitAreTheSameFromEveryPhase) {
   }
 }
 
+/// The status of an answer after certificate and verdict.
+Record judged(const Problem& problem, std::shared_ptr<const Trajectory> answer) {
+  const SampledAnswer sampled = sample_answer(problem, *answer);
+  Record record;
+  record.status = Status::converged;
+  record.law = as_represented(problem.law);
+  record.certificate =
+      certify(problem, answer, sampled.motion, {}, orbit_tools(), Deadline::after(60.0)).certificate;
+  apply_verdict(record);
+  return record;
+}
+
+// Standing still, the linear motion through the stop, and that with seven tenths of the true impulses: on
+// springs the first two were left open, because only one of two searches led to an orbit.
+TEST(Verdicts, OnGrossLiesAreRefutations) {
+  const double w = kStop.frequency, re = 1.0 - w * w, im = kStop.damping * w, size = re * re + im * im;
+  const auto x = [=](double t) { return (re * std::cos(w * t) + im * std::sin(w * t)) / size; };
+  const auto v = [=](double t) { return w * (im * std::cos(w * t) - re * std::sin(w * t)) / size; };
+  const auto nothing = [](double) { return 0.0; };
+  const Problem rigid = test::to_problem(kStop);
+  const double period = rigid.period();
+  const auto still = std::make_shared<test::FormulaMotion>(period, nothing, nothing);
+  const auto linear = std::make_shared<test::FormulaMotion>(period, x, v);
+  const auto closed = test::single_impact_orbits(kStop).front();
+  const auto pushed = std::make_shared<test::FormulaMotion>(
+      period, x, v, nothing, std::vector<Impulse>{{0, closed.impact_time, -0.7 * closed.impulse}});
+  std::vector<std::pair<Problem, std::shared_ptr<const Trajectory>>> lies{
+      {rigid, still}, {rigid, linear}, {rigid, pushed}};
+  for (const double stiffness : {5.0, 100.0, 1e4}) {
+    Problem spring = rigid;
+    spring.law = Penalty{.stiffness = {stiffness}};
+    lies.insert(lies.end(), {{spring, still}, {spring, linear}});
+  }
+  for (const auto& [problem, lie] : lies) {
+    const Record record = judged(problem, lie);
+    EXPECT_EQ(record.status, Status::inaccurate) << record.certificate.reason;
+    EXPECT_EQ(record.certificate.status, CertificateStatus::uncertified);
+  }
+}
+
 TEST(ExactOrbits, AreNotFollowedAgainWhereOneWithTheirEventsIsConfirmed) {
   const Problem problem = test::to_problem(kStop);
   const std::shared_ptr<const Trajectory> answer = coarse_answer(problem);

@@ -90,5 +90,13 @@ TEST(JudgementText, SaysWhetherTheOrbitIsReachedFromRest) {
   EXPECT_NE(judgement_text(record, {}).find("(motion from rest: none)"), std::string::npos);
 }
 
+TEST(JudgementText, NamesTheOptionThatGivesMoreTime) {
+  Record record = test::full_record();
+  record.certificate = {.status = CertificateStatus::uncertified, .reason = "no time", .expired = true};
+  EXPECT_NE(judgement_text(record, {}).find("no time; --certificate gives it more time"), std::string::npos);
+  record.certificate.expired = false;
+  EXPECT_EQ(judgement_text(record, {}).find("--certificate"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace signorini::solve_output_test
