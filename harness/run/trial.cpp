@@ -256,8 +256,8 @@ void take_summary(const Trial& trial, const Trajectory& answer, const Motion& mo
   if (field.error()) record.message += fmt::format("; u to {:.1e} m", *field.error());
   if (!record.trajectory) return;
   record.trajectory->dofs = trial.summary->dofs;
-  for (const auto& u : field.displacement(trial.samples).colwise())
-    record.trajectory->u.emplace_back(u.begin(), u.end());
+  const Eigen::MatrixXd samples = field.displacement(trial.samples);
+  for (const auto& u : samples.colwise()) record.trajectory->u.emplace_back(u.begin(), u.end());
 }
 
 }  // namespace

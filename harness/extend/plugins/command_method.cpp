@@ -64,6 +64,9 @@ void require_within(double seconds, double passed) {
                   passed));
 }
 
+/// Of the time that passed, the least that a told time of a curve counts as.
+constexpr double kLeastShare = 0.01;
+
 /// A told time, but of the time that passed at least what a hand-over does not explain: so many seconds, and
 /// so many times what writing the request and reading the answer took here.
 double believed(double told, double passed, double hand_over) {
@@ -193,7 +196,7 @@ class CommandMethod final : public Method, public CurveMethod {
     else
       diagram = read_command_curve(output_of(end), scene, problem.contact_count(), limits);
     require_within(diagram.seconds.value_or(0.0), passed.count());
-    if (!diagram.seconds) diagram.seconds = passed.count();
+    diagram.seconds = std::max(diagram.seconds.value_or(passed.count()), kLeastShare * passed.count());
     return diagram;
   }
 

@@ -7,6 +7,7 @@
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
 #include "methods/structure/bases/condensation.hpp"
+#include "methods/structure/state.hpp"
 
 namespace signorini {
 
@@ -32,20 +33,20 @@ Eigen::Index ExactMotion::place_of(int dof) const {
   return place != kept_.end() && *place == dof ? place - kept_.begin() : -1;
 }
 
-std::vector<ImpactSpeeds> ExactMotion::speeds_beside_impulses() const {
+std::vector<SpeedsBeside> ExactMotion::speeds_beside_impulses() const {
   // The arcs of both sides are told apart beyond the rounding of an instant.
   const double aside = 8.0 * std::numeric_limits<double>::epsilon() * motion_->period();
-  std::vector<ImpactSpeeds> speeds;
+  std::vector<SpeedsBeside> speeds;
   for (const Impulse& impulse : motion_->impulses()) {
     const State before = motion_->at(impulse.time - aside), after = motion_->at(impulse.time + aside);
-    ImpactSpeeds beside;
+    double approach = 0.0, departure = 0.0;
     for (const auto& [dof, coefficient] : contacts_[static_cast<std::size_t>(impulse.contact)].normal) {
       const Eigen::Index place = place_of(dof);
       if (place < 0) return {};
-      beside.before += coefficient * before.v[place];
-      beside.after += coefficient * after.v[place];
+      approach += coefficient * before.v[place];
+      departure += coefficient * after.v[place];
     }
-    speeds.push_back(beside);
+    speeds.push_back({approach, departure});
   }
   return speeds;
 }

@@ -6,14 +6,17 @@
 #include <span>
 #include <vector>
 
-#include "harness/judge/measures/motion.hpp"
 #include "methods/solution.hpp"
-#include "methods/structure/state.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
 
 class ExactTrajectory;
+
+/// x' of a contact just before and just after an impulse [m/s]; empty where it is not known.
+struct SpeedsBeside {
+  std::optional<double> before = {}, after = {};
+};
 
 /// Whether force and motion are one solution of the equation of motion between events (Motion::integrated).
 bool is_integrated(const Trajectory& motion);
@@ -27,7 +30,7 @@ class ExactMotion {
 
   /// Of the contacts, just beside each of the motion's impulses, to rounding; empty where a contact that
   /// takes one moves a coordinate without mass [m/s].
-  [[nodiscard]] std::vector<ImpactSpeeds> speeds_beside_impulses() const;
+  [[nodiscard]] std::vector<SpeedsBeside> speeds_beside_impulses() const;
   /// Fourier coefficients n = 0..count of force and impulses, (count+1) x Nc [N]; empty where the motion is
   /// no sum of modes between its events.
   [[nodiscard]] Eigen::MatrixXcd force_coefficients(int count) const;

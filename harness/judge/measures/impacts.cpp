@@ -49,7 +49,8 @@ class SampledSpeeds {
     std::ranges::sort(places_);
   }
 
-  /// x' of a contact just before a place [steps]; empty where no sample lies between it and the event before.
+  /// x' of a contact just before a place [steps]; empty where fewer than two samples lie between it and the
+  /// event before.
   [[nodiscard]] std::optional<double> before(int contact, double place) const {
     const auto event = std::ranges::lower_bound(places_, place - kSame);
     const double earliest = event == places_.begin() ? place - motion_.count() : *std::prev(event);
@@ -78,7 +79,7 @@ class SampledSpeeds {
 
   [[nodiscard]] std::optional<double> from_samples(int contact, double first, double last,
                                                    double place) const {
-    if (last < first) return std::nullopt;
+    if (last < first + 1.0) return std::nullopt;
     std::vector<double> speeds;
     for (double at = first; at <= last; at += 1.0) {
       const int index = static_cast<int>(at) % motion_.count();
@@ -143,9 +144,8 @@ double force_scale(const Motion& motion) {
 }  // namespace
 
 std::vector<SpeedsBeside> speeds_beside_impulses(const Motion& motion) {
+  if (!motion.speeds.empty()) return motion.speeds;
   std::vector<SpeedsBeside> speeds;
-  for (const ImpactSpeeds& known : motion.speeds) speeds.push_back({known.before, known.after});
-  if (!speeds.empty()) return speeds;
   const SampledSpeeds sampled(motion);
   for (const Impulse& impulse : motion.impulses) {
     const double place = impulse.time / motion.step();

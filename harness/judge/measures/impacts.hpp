@@ -26,14 +26,9 @@ struct ContactPhase {
 /// grid step if it resolves everything [s].
 double time_resolution(const Motion& motion);
 
-/// x' of a contact just before and just after an impulse [m/s]; empty where neither is known.
-struct SpeedsBeside {
-  std::optional<double> before = {}, after = {};
-};
-
 /// Beside each of the motion's impulses: the speeds that the motion knows, else those extrapolated from up to
-/// six samples between it and the impulse or event next to it, to the sixth order of the step; empty where no
-/// sample lies between.
+/// six samples between it and the impulse or event next to it, to the sixth order of the step; empty where
+/// fewer than two samples lie between.
 std::vector<SpeedsBeside> speeds_beside_impulses(const Motion& motion);
 
 /// All phases of one period, ordered by begin. A force that acts over several times this resolution, or over

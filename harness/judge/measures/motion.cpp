@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "harness/judge/measures/contact_response.hpp"
-#include "harness/judge/measures/exact_motion.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/real_fft.hpp"
@@ -73,6 +72,16 @@ Difference difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen:
 
 std::optional<double> in_units_of(double unit, double value) {
   return unit > 0.0 ? std::optional(value / unit) : std::nullopt;
+}
+
+/// Coefficients n = 0..count of the contact force, (count+1) x Nc, from no more instants than they need.
+Eigen::MatrixXcd sampled_spectrum(const Motion& motion, int count) {
+  const int enough = std::max(samples_for_spectrum(count), motion.nodes.value_or(0));
+  const int step = std::max(1, motion.count() / enough);
+  if (step == 1 || motion.count() % step != 0)
+    return force_spectrum(motion.samples.force, motion.impulses, motion.period(), count);
+  return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
+                        motion.impulses, motion.period(), count);
 }
 
 Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
@@ -219,12 +228,7 @@ Eigen::MatrixXcd contact_force_spectrum(const Motion& motion, int count) {
     result.topRows(common) = own.topRows(common);
     return result;
   }
-  const int enough = std::max(samples_for_spectrum(count), motion.nodes.value_or(0));
-  const int step = std::max(1, motion.count() / enough);
-  if (step == 1 || motion.count() % step != 0)
-    return force_spectrum(motion.samples.force, motion.impulses, motion.period(), count);
-  return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
-                        motion.impulses, motion.period(), count);
+  return sampled_spectrum(motion, count);
 }
 
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics) {
@@ -261,8 +265,10 @@ std::vector<ListedPush> short_pushes(const Motion& motion, int contact) {
 }
 
 Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
-  Eigen::VectorXd impulse =
-      motion.forcing_period * contact_force_spectrum(motion, 0).row(0).real().transpose();
+  // Of orbits by their samples, as those that are kept have nothing else: fingerprints are of these digits.
+  const Eigen::MatrixXcd mean =
+      motion.integrated ? sampled_spectrum(motion, 0) : contact_force_spectrum(motion, 0);
+  Eigen::VectorXd impulse = motion.forcing_period * mean.row(0).real().transpose();
   for (int c = 0; c < static_cast<int>(impulse.size()); ++c) {
     const std::vector<ListedPush> pushes = short_pushes(motion, c);
     if (pushes.empty()) continue;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/judge/measures/exact_motion.hpp"
 #include "methods/reduction/contact_space.hpp"
 #include "methods/solution.hpp"
 #include "methods/structure/periodic_response.hpp"
@@ -17,11 +18,6 @@ inline constexpr int kGrid = 8192;
 
 /// Two motions of one orbit agree to this, as `distance` measures x; distinct orbits do not.
 inline constexpr double kSameOrbit = 1e-6;
-
-/// Speeds of a contact just before and just after an impulse [m/s].
-struct ImpactSpeeds {
-  double before = 0.0, after = 0.0;
-};
 
 /// One period of a motion at kGrid instants per forcing period. An answer is sampled once; all that is
 /// measured on it is taken from here.
@@ -38,7 +34,7 @@ struct Motion {
   int shown = 0;
   /// As Trajectory::force_coefficients, and of exact orbits in closed form 512 per forcing period [N].
   Eigen::MatrixXcd force_coefficients = {};
-  std::vector<ImpactSpeeds> speeds = {};  ///< of exact orbits, beside each of `impulses`; else empty
+  std::vector<SpeedsBeside> speeds = {};  ///< of exact orbits, beside each of `impulses`; else empty
   /// Between its events force and motion are one solution of the equation of motion: of exact orbits and of
   /// motions that are integrated from event to event.
   bool integrated = false;

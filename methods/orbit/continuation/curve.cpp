@@ -156,6 +156,17 @@ std::string why_over(const SequencedOrbit& last, std::size_t points, int max_poi
   return {};
 }
 
+// Whether the parameter passes one of several values forth and back on a step to where the equations are
+// evaluated.
+bool turns_past_value(const std::vector<double>& values, const ExtendedEquations& equations,
+                      const CurveStep& step, const Eigen::VectorXd& tangent) {
+  const ParametrisedScene& scene = equations.family().scene();
+  const double unit = equations.family().units().parameter, rate = step.length * unit;
+  const Eigen::Index last = tangent.size() - 1;
+  return turns_past(values, scene.low(), scene.high(), {step.x[last] * unit, rate * step.tangent[last]},
+                    {equations.parameter(), rate * tangent[last] / tangent.dot(step.tangent)});
+}
+
 constexpr double kFirstStep = 0.01, kShortestStep = 1e-7;  // [CurveUnits]; below, the curve ends
 
 class Tracer {
@@ -186,6 +197,7 @@ class Tracer {
   }
 
  private:
+  [[nodiscard]] CurveStep whole_step() const { return {here_.x, here_.tangent, step_}; }
   void append() { append_point(*equations_, here_, limits_.phases, result_.branch); }
   void note(std::string_view what) { result_.notes.push_back(note_at(what, here_, family_)); }
   void finish(std::string reason) {
@@ -207,7 +219,8 @@ class Tracer {
     if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
-    if (step_ > kShortestTurn && turns_past_value(*tangent)) return shorten(0.5);
+    if (step_ > kShortestTurn && turns_past_value(limits_.at, *equations_, whole_step(), *tangent))
+      return shorten(0.5);
     Station next = station_at(*equations_, *tangent);
     if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
@@ -215,8 +228,7 @@ class Tracer {
     if (crossing && rejects(next)) return reject();
     if (unseen && (step_ > kShort || (violates(next) && !crossing))) return shorten(0.5);
     if (unseen) note("whether a contact passes its stop between two points is not decided");
-    const auto halved = half_period_on_step(
-        *equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_}, half_way_);
+    const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
     // Where a phase of contact of no length begins tests vanish too; so they do at a doubling, where the
     // parameter turns and the equations are known to the root of rounding.
@@ -257,20 +269,9 @@ class Tracer {
                         here_.x[here_.x.size() - 1] * family_.units().parameter, equations_->parameter());
   }
 
-  // Between the last point and the one at which the equations are evaluated.
-  [[nodiscard]] bool turns_past_value(const Eigen::VectorXd& tangent) const {
-    const ParametrisedScene& scene = family_.scene();
-    const double unit = family_.units().parameter, rate = step_ * unit;
-    const Eigen::Index last = tangent.size() - 1;
-    return turns_past(limits_.at, scene.low(), scene.high(),
-                      {here_.x[last] * unit, rate * here_.tangent[last]},
-                      {equations_->parameter(), rate * tangent[last] / tangent.dot(here_.tangent)});
-  }
-
   bool shorten_to(const StepTarget& target) {
-    const auto length =
-        length_to_parameter(*equations_, {.x = here_.x, .tangent = here_.tangent, .length = step_},
-                            equations_->orbit().x, target.value / family_.units().parameter);
+    const auto length = length_to_parameter(*equations_, whole_step(), equations_->orbit().x,
+                                            target.value / family_.units().parameter);
     if (length && !target.leaves) planned_ = step_;
     if (length) step_ = *length;
     return length.has_value();

@@ -51,7 +51,8 @@ TEST(CommandSweep, HasThePointsOnBothSidesOfAFoldBesideAValue) {
       "--to 0.2671529230327454 --at 0.44048706933669846 --format json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   int of_two_impacts = 0;
-  for (const auto& branch : nlohmann::json::parse(outcome.out)["branches"])
+  const auto branches = nlohmann::json::parse(outcome.out)["branches"];
+  for (const auto& branch : branches)
     for (const auto& point : branch["points"]) of_two_impacts += point["impacts"] == 2 ? 1 : 0;
   EXPECT_EQ(of_two_impacts, 2);
 }

@@ -43,6 +43,17 @@ TEST(CommandRequest, HoldsTheWholeProblem) {
   EXPECT_EQ(request.at("problem").at("law"), (Json{{"restitution", 1.0}}));
 }
 
+TEST(CommandRequest, OfAnotherFrequencyIsThatOfTheSceneThere) {
+  Problem problem = test::one_mass();
+  problem.force.front().omega_power = 2;
+  Json request = command_request(problem, {});
+  problem.frequency *= 1.5;
+  EXPECT_NE(request, command_request(problem, {}));
+  take_frequency(request, problem);
+  EXPECT_EQ(request, command_request(problem, {}));
+  EXPECT_EQ(request.at("problem").at("name"), "scene");
+}
+
 TEST(CommandInput, NamesTheTimeLeftOnlyWhereThereIsADeadline) {
   const Json request = command_request(test::one_mass(), {});
   EXPECT_FALSE(Json::parse(command_input(request, {})).contains("seconds"));

@@ -40,7 +40,7 @@ TEST(ExactMotion, KnowsTheSpeedsOfItsImpactsToRounding) {
     EXPECT_NEAR(physics.effective_restitution.front(), e, 1e-13);
     double nearest = 1.0;
     for (const test::SingleImpactOrbit& orbit : test::single_impact_orbits(oscillator))
-      nearest = std::min(nearest, std::abs(found.motion.speeds.front().before - orbit.approach));
+      nearest = std::min(nearest, std::abs(*found.motion.speeds.front().before - orbit.approach));
     EXPECT_LT(nearest, 1e-12);
   }
 }
