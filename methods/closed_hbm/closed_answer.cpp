@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "methods/complementarity/impact_closure.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/harmonic_balance/series_solution.hpp"
+#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
@@ -136,7 +138,7 @@ class ImpactClosing {
           {.samples = samples, .tolerance = setup_.options.tolerance, .deadline = start_.deadline},
           steps_left(ExactProjectionSettings{}.most));
       count_iterations(closure.steps, work_);
-      if (closure.converged) return answer(law, closure, impacts.count(), how);
+      if (closure.converged) return answer(law, closure, impacts, how);
       failed(closure.failure);
       if (hard == 1.0) break;
     }
@@ -144,16 +146,42 @@ class ImpactClosing {
     return std::nullopt;
   }
 
-  [[nodiscard]] Solution answer(const ProjectedLaw& law, const ImpactClosure& closure, int impacts,
-                                const std::string& how) const {
+  /// Root mean square of what the structure makes, up to H, of forces in place of the impacts that they
+  /// close, relative to that of X about its mean: the width of a force changes its low harmonics by a share
+  /// of the order of (n / H)^2, and a resonance multiplies that by up to 1 / (2 zeta).
+  [[nodiscard]] double moved_by_width(const Eigen::MatrixXcd& lambda, const PeriodicImpacts& impacts) const {
+    const ContactReceptance& seen = setup_.receptance;
+    double moved = 0.0, mean = 0.0;
+    for (Eigen::Index n = 0; n < lambda.rows(); ++n) {
+      Eigen::VectorXcd struck = Eigen::VectorXcd::Zero(lambda.cols());
+      for (int k = 0; k < impacts.count(); ++k)
+        struck[impacts.contacts[static_cast<std::size_t>(k)]] -=
+            std::polar(impacts.moments(1, k), -kTwoPi * static_cast<double>(n) * impacts.moments(0, k));
+      const Eigen::MatrixXcd& C = seen.receptance[static_cast<std::size_t>(n)];
+      moved += (n == 0 ? 1.0 : 2.0) * (C * (lambda.row(n).transpose() - struck)).squaredNorm();
+      if (n == 0) mean = (seen.free_response.row(0).transpose() + C * struck).squaredNorm();
+    }
+    const auto contacts = static_cast<double>(lambda.cols());
+    return std::sqrt(moved / (contacts * std::pow(motion_->size(impacts), 2) - mean));
+  }
+
+  [[nodiscard]] Solution answer(const ProjectedLaw& law, const ImpactClosure& closure,
+                                const PeriodicImpacts& closed, const std::string& how) const {
+    constexpr double kSaid = 0.01;  // of the motion
     FourierTrajectory::Data data = series_data({setup_.receptance, setup_.gap, law}, closure.lambda);
     data.shifts = closure.shifts;
+    const int impacts = closed.count();
+    const double moved = moved_by_width(closure.lambda, closed);
+    const std::string warning =
+        moved > kSaid
+            ? fmt::format("; near a resonance: the width of its forces moves it by {:.2g} of its size", moved)
+            : "";
     return {
         .verdict = Verdict::converged,
         .message = fmt::format("{}; {} impact{} closed at restitution {:g}, stops moved by up to {:.1e}, net "
-                               "contact work {:.1e}",
+                               "contact work {:.1e}{}",
                                how, impacts, impacts == 1 ? "" : "s", closure_.restitution, closure.largest,
-                               net_work_ratio(data.x, data.lambda)),
+                               net_work_ratio(data.x, data.lambda), warning),
         .trajectory = std::make_shared<FourierTrajectory>(std::move(data)),
         .residual = closure.residual,
         .condition = closure.condition};

@@ -63,6 +63,22 @@ TEST_P(ClosedAnswerAt, IsTheOrbitOfTheScenesRestitution) {
 
 INSTANTIATE_TEST_SUITE_P(OneMass, ClosedAnswerAt, testing::Values(1.0, 0.8, 0.5, 0.2, 0.0));
 
+// The load is at the resonance: what the width takes off the force's first harmonic is multiplied by a
+// thousand.
+TEST(ClosedAnswer, SaysHowFarAResonanceMovesIt) {
+  const ImpactOscillator scene{.damping = 1e-3, .frequency = 1.0, .gap = 0.5, .restitution = 0.9};
+  const Solution found = solve<ClosedHbm>(test::to_problem(scene), {.harmonics = 20});
+  ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
+  const std::string words = "the width of its forces moves it by ";
+  const std::size_t place = found.message.find(words);
+  ASSERT_NE(place, std::string::npos) << found.message;
+  double error = 1.0;
+  for (const test::SingleImpactOrbit& orbit : test::single_impact_orbits(scene))
+    error = std::min(error, test::relative_error(*found.trajectory, [&](double t) { return orbit.x(t); }));
+  EXPECT_NEAR(std::stod(found.message.substr(place + words.size())), error, 0.1 * error);
+  EXPECT_NEAR(error, 0.25, 0.05);
+}
+
 TEST(ClosedAnswer, IsOfRestitutionOneWhereNoneIsAskedFor) {
   const Problem problem = test::to_problem(oscillator(0.5));
   const ClosedHbm::Options none{.harmonics = 40, .restitution = ClosedHbm::ImpactLaw::none};
