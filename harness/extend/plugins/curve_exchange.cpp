@@ -167,11 +167,16 @@ SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases)
   return point;
 }
 
-/// Cuts one branch into the parts that lie in the interval.
+/// The longest period asked for [forcing periods].
+int longest_order(const ParametrisedScene& scene, const CurveLimits& limits) {
+  return std::max(limits.max_order, scene.at(scene.from).subharmonic);
+}
+
+/// Cuts one branch into the parts that lie in the interval and have no longer period than `longest`.
 class Clipping {
  public:
-  Clipping(const ParametrisedScene& scene, int contacts, const CurveLimits& limits)
-      : scene_(scene), contacts_(contacts), limits_(limits) {}
+  Clipping(const ParametrisedScene& scene, int contacts, const CurveLimits& limits, int longest)
+      : scene_(scene), contacts_(contacts), limits_(limits), longest_(longest) {}
 
   /// Adds the parts of a branch to the diagram.
   void add(const ExchangedBranch& given, BranchDiagram& diagram) {
@@ -184,9 +189,9 @@ class Clipping {
         add_special(*special, part);
       if (i == given.points.size()) break;
       SolutionPoint point = solution_of(given.points[i], contacts_, limits_.phases);
-      if (!inside(point)) {
-        close(std::move(part), "end of the interval", diagram);
-        part = beginning_of(given, "end of the interval");
+      if (const std::string why = why_outside(point); !why.empty()) {
+        close(std::move(part), why, diagram);
+        part = beginning_of(given, why);
       } else if (std::cmp_less(part.points.size(), limits_.max_points)) {
         part.points.push_back(std::move(point));
       } else {
@@ -204,15 +209,19 @@ class Clipping {
     branch.by_steps = given.by_steps;
     return branch;
   }
-  /// Ends of the interval are in it to rounding of the text of a file, of orders that the limits allow.
-  [[nodiscard]] bool inside(const SolutionPoint& point) const {
+  /// Why a point is cut off; empty where it is not. Ends of the interval are in it to rounding of the text of
+  /// a file.
+  [[nodiscard]] std::string why_outside(const SolutionPoint& point) const {
     constexpr double kRounding = 1e-9;
-    return point.order <= limits_.max_order && point.frequency >= (1.0 - kRounding) * scene_.low() &&
-           point.frequency <= (1.0 + kRounding) * scene_.high();
+    if (point.frequency < (1.0 - kRounding) * scene_.low() ||
+        point.frequency > (1.0 + kRounding) * scene_.high())
+      return "end of the interval";
+    if (point.order <= longest_) return {};
+    return fmt::format("a period of {} forcing periods, of {} at most", point.order, longest_);
   }
   void add_special(const ExchangedSpecial& given, Branch& part) const {
     SolutionPoint point = solution_of(given.point, contacts_, limits_.phases);
-    if (inside(point))
+    if (why_outside(point).empty())
       part.special.push_back(
           {.kind = given.kind, .point = std::move(point), .text = given.text, .after = part.points.size()});
   }
@@ -234,6 +243,7 @@ class Clipping {
   const ParametrisedScene& scene_;
   int contacts_;
   const CurveLimits& limits_;
+  int longest_;
   bool full_ = false;
 };
 
@@ -243,7 +253,7 @@ nlohmann::ordered_json follow_request(const ParametrisedScene& scene, const Curv
   return {{"parameter", scene.parameter},
           {"from", scene.from},
           {"to", scene.to},
-          {"max_order", limits.max_order},
+          {"max_order", longest_order(scene, limits)},
           {"max_branches", limits.max_branches},
           {"max_points", limits.max_points},
           {"phases", limits.phases},
@@ -272,7 +282,9 @@ ExchangedBranch branch_from_line(const std::string& line) {
 BranchDiagram diagram_of(const ExchangedCurve& curve, const ParametrisedScene& scene, int contacts,
                          const CurveLimits& limits) {
   BranchDiagram diagram{.branches = {}, .unfinished = curve.unfinished, .notes = curve.notes};
-  for (const ExchangedBranch& branch : curve.branches) Clipping(scene, contacts, limits).add(branch, diagram);
+  const int longest = longest_order(scene, limits);
+  for (const ExchangedBranch& branch : curve.branches)
+    Clipping(scene, contacts, limits, longest).add(branch, diagram);
   if (diagram.branches.empty() && diagram.unfinished.empty())
     diagram.unfinished =
         fmt::format("no branch of two points or more from {:.6g} to {:.6g} rad/s", scene.low(), scene.high());

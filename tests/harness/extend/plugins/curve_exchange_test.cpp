@@ -43,6 +43,27 @@ TEST(ExchangedCurves, HaveTheExtremesOfTheirSeries) {
   EXPECT_EQ(branch.points[1].stability, OrbitStability::unknown);
 }
 
+TEST(ExchangedCurves, KeepTheOrderOfTheSceneAndSayWhereLongerPeriodsAreCutOff) {
+  ExchangedCurve curve;
+  curve.branches.push_back({.began = "there",
+                            .ended = "here",
+                            .points = {wave(1.1, 0.0, 1.0, 3), wave(1.2, 0.0, 1.0, 3), wave(1.3, 0.0, 1.0, 6),
+                                       wave(1.4, 0.0, 1.0, 3), wave(1.5, 0.0, 1.0, 3)}});
+  ParametrisedScene scene = interval(1.0, 2.0);
+  scene.at = [](double) {
+    Problem problem;
+    problem.subharmonic = 3;
+    return problem;
+  };
+  const CurveLimits limits{.max_order = 2};  // the scene's own is larger
+  EXPECT_EQ(follow_request(scene, limits).at("max_order"), 3);
+  const std::vector<Branch> parts = diagram_of(curve, scene, 1, limits).branches;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].ended, "a period of 6 forcing periods, of 3 at most");
+  EXPECT_EQ(parts[1].began, parts[0].ended);
+  EXPECT_EQ(parts[1].ended, "here");
+}
+
 TEST(ExchangedCurves, GiveTheSameMotionAsSeriesAndAsSamples) {
   constexpr int kPhases = 16, kOrder = 2;
   const auto wave_at = [](double angle) {
