@@ -81,6 +81,7 @@ struct Work {
   std::optional<long> pivots = {};           ///< of a complementarity problem
   std::optional<long> rhs_evaluations = {};  ///< of an integrator
   std::optional<long> factorisations = {};   ///< of matrices, from scratch
+  std::optional<long> points = {};  ///< solutions of the curve that was followed to the answer, it included
 };
 
 /// The result of one solve: verdict, answer and work.

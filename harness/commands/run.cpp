@@ -19,6 +19,7 @@
 #include "harness/report/report.hpp"
 #include "harness/responses/response_plan.hpp"
 #include "harness/run/suite_run.hpp"
+#include "harness/run_folder/machine_load.hpp"
 #include "harness/run_folder/merge.hpp"
 #include "harness/run_folder/run_folder.hpp"
 #include "harness/run_folder/shards.hpp"
@@ -98,6 +99,7 @@ void describe_run(RunFolder run, bool resume) {
     require_same_machine(before, run);
     run.plan = joined_plan(before, run);
     join_plugins(run.manifest, before.manifest);
+    note_times(run.manifest, why_not_comparable(before.manifest));
   }
   write_whole(run.path / "manifest.json", json_text(run.manifest, 2) + "\n");
   write_plan(run.path, run.plan);
@@ -130,6 +132,7 @@ int run_suite(const RunArguments& arguments) {
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
   const SuiteRunResult result = run_missing(arguments, plan, runner, store);
+  close_manifest(folder);
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",

@@ -11,6 +11,7 @@
 #include "harness/compare/rerun.hpp"
 #include "harness/compare/response_change.hpp"
 #include "harness/report/document/cells.hpp"
+#include "harness/run_folder/machine_load.hpp"
 #include "harness/run_folder/merge.hpp"
 
 namespace signorini {
@@ -86,9 +87,9 @@ std::string work_remark(const Record& before, const Record& after) {
 
 std::string why_no_times(const RunFolder& before, const RunFolder& after) {
   for (const RunFolder* run : {&before, &after}) {
-    if (!run->manifest.value("times_comparable", true))
-      return fmt::format("times are not compared: those of {} are not comparable, says its manifest",
-                         run->path.string());
+    if (const std::string why = why_not_comparable(run->manifest); !why.empty())
+      return fmt::format("times are not compared: those of {} are not comparable: {}", run->path.string(),
+                         why);
   }
   return machine_difference(before, after) ? "times are not compared: the runs are of different machines"
                                            : "";

@@ -93,12 +93,16 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
 std::string case_key(const Scene& scene, const Case& planned_case, const Limits& limits,
                      std::string_view code_version, std::string_view reference = {});
 
+/// Rounds of timing that a case whose times differ gets beyond those that are planned, at most.
+inline constexpr int kMoreRounds = 3;
+
 /// The cases of a scene take turns, in a random order for each round of timing; several side by side if asked
 /// for.
 struct Schedule {
-  std::uint64_t seed = 1;  ///< of the random orders
-  int parallel = 1;        ///< cases at the same time
-  int beside = 1;          ///< such runs on this machine at the same time, this one included
+  std::uint64_t seed = 1;         ///< of the random orders
+  int parallel = 1;               ///< cases at the same time
+  int beside = 1;                 ///< such runs on this machine at the same time, this one included
+  int more_rounds = kMoreRounds;  ///< of a case whose times differ, beyond those planned, at most
 
   /// Cases at the same time on this machine. Above 1 they disturb each other's times.
   [[nodiscard]] int together() const { return parallel * beside; }

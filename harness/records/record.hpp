@@ -67,6 +67,8 @@ struct Seconds {
   std::vector<TimedRound> rounds = {};  ///< in the order taken
   std::optional<double> exchange = {};  ///< beside a solve that tells its own time, the least [s]
   std::optional<int> jobs = {};         ///< cases run at the same time, if several: not comparable then
+  std::optional<bool> unsteady = {};    ///< rounds still differ after the last one allowed (rounds_missing)
+  Measure load = {};                    ///< of other programs, by load_share, the most of all rounds [-]
 };
 
 /// Times whose deviation exceeds this share of their median are called unstable.

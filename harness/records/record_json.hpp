@@ -58,6 +58,7 @@ void visit_fields(Either<WorkDone> auto& work, auto&& field) {
   field(Field{"pivots"}, work.counts.pivots);
   field(Field{"rhs_evaluations"}, work.counts.rhs_evaluations);
   field(Field{"factorisations"}, work.counts.factorisations);
+  field(Field{"points"}, work.counts.points);
   field(Field{"peak_memory_bytes", "bytes"}, work.peak_memory_bytes);
 }
 
@@ -72,6 +73,8 @@ void visit_fields(Either<Seconds> auto& seconds, auto&& field) {
   field(Field{"rounds", "s"}, seconds.rounds);
   field(Field{"exchange", "s"}, seconds.exchange);
   field(Field{"jobs"}, seconds.jobs);
+  field(Field{"unsteady"}, seconds.unsteady);
+  field(Field{"load"}, seconds.load);
 }
 
 void visit_fields(Either<Repeats> auto& repeats, auto&& field) {

@@ -1,5 +1,6 @@
 #include "harness/run/runner.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
@@ -197,6 +198,8 @@ void Runner::run_later(const Scene& scene, std::span<const Job> jobs, std::span<
     if (end.kind == ChildEnd::Kind::interrupted) return;
     Record record = records[i];
     take_later_round(end, record);
+    if (record.seconds)
+      record.seconds->unsteady = !rounds_agree(record.seconds->rounds, std::max(2, planned_rounds(record)));
     take(i, std::move(record));
   };
   run_isolated_together(work, later_round_limits(limits_, answer_seconds(limits_, jobs)), parallel, take_end);
@@ -250,11 +253,14 @@ bool Runner::run_series(const Job& job, SolveSeries& series, const std::function
   return more && !interrupted();
 }
 
-int Runner::rounds_missing(const Record& record) const {
-  if (!record.seconds || record.seconds->rounds.empty()) return 0;
+int Runner::planned_rounds(const Record& record) const {
   const TimedRound& first = record.seconds->rounds.front();
-  return rounds_for(first.setup + first.solve, {.rounds = limits_.repetitions}) -
-         static_cast<int>(record.seconds->rounds.size());
+  return rounds_for(first.setup + first.solve, {.rounds = limits_.repetitions});
+}
+
+int Runner::rounds_missing(const Record& record, int more, int least) const {
+  if (!record.seconds || record.seconds->rounds.empty()) return 0;
+  return signorini::rounds_missing(record.seconds->rounds, std::max(planned_rounds(record), least), more);
 }
 
 std::optional<Record> Runner::run(const Scene& scene, const Job& job, const SolveExtras& extras) {
@@ -262,7 +268,7 @@ std::optional<Record> Runner::run(const Scene& scene, const Job& job, const Solv
   const std::array jobs{job};
   const TakeRecord take = [&](std::size_t, Record taken) { record = std::move(taken); };
   run_first(scene, jobs, 1, take, extras);
-  while (record && rounds_missing(*record) > 0 && !interrupted()) {
+  while (record && rounds_missing(*record, kMoreRounds) > 0 && !interrupted()) {
     const std::array begun{*record};
     run_later(scene, jobs, begun, 1, take, extras);
   }

@@ -86,8 +86,9 @@ class Runner {
   void run_later(const Scene& scene, std::span<const Job> jobs, std::span<const Record> records, int parallel,
                  const TakeRecord& take, const SolveExtras& extras = {}) const;
 
-  /// Rounds of timing that a record still lacks.
-  [[nodiscard]] int rounds_missing(const Record& record) const;
+  /// Rounds of timing that a record still lacks: signorini::rounds_missing of as many as its first round
+  /// allows, `least` at the least, and `more`.
+  [[nodiscard]] int rounds_missing(const Record& record, int more, int least = 1) const;
 
   /// Runs one case with all its rounds one after the other. Empty after an interrupt: then there is no
   /// record.
@@ -113,6 +114,8 @@ class Runner {
   /// The record of a job that cannot be run.
   [[nodiscard]] std::optional<Record> without_run(const Scene& scene, const Job& job,
                                                   const StartPoint& start) const;
+  /// Rounds of timing that are planned for a record with a first one.
+  [[nodiscard]] int planned_rounds(const Record& record) const;
   [[nodiscard]] Trial trial_of(const Scene& scene, const Job& job, const StartPoint& start,
                                const SolveExtras& extras) const;
   /// The record of a job before anything has been run.

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <ranges>
 #include <unordered_set>
 #include <utility>
 
@@ -10,6 +13,7 @@
 #include "harness/interrupt.hpp"
 #include "harness/progress.hpp"
 #include "harness/responses/response_task.hpp"
+#include "harness/run_folder/machine_load.hpp"
 
 namespace signorini {
 
@@ -32,8 +36,9 @@ std::vector<Record> run_scene(const Scene& scene, const std::vector<const Case*>
                                .round_done =
                                    [&](std::size_t index, const Record& record) {
                                      store.keep_unfinished(record);
-                                     progress.advance(share_of_round);
-                                     rest[index] -= share_of_round;
+                                     const double share = std::min(share_of_round, rest[index]);
+                                     progress.advance(share);
+                                     rest[index] -= share;
                                    },
                                .case_done =
                                    [&](std::size_t index, const Record& record) {
@@ -95,16 +100,56 @@ struct SceneRounds {
   Schedule schedule;
   const RoundObserver& observer;
 
+  std::vector<int> least = std::vector<int>(jobs.size(), 1);       // rounds of each job
+  std::vector<bool> done = std::vector<bool>(jobs.size(), false);  // and told so
+
+  [[nodiscard]] auto indices() const { return std::views::iota(std::size_t{0}, jobs.size()); }
+
   std::vector<std::optional<Record>> run() {
-    // Begun cases that lack no round are done: no round would be due that says so.
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      if (records[i] && runner.rounds_missing(*records[i]) == 0) observer.case_done(i, *records[i]);
-    }
-    for (int round = 0; round < runner.limits().repetitions; ++round) run_round(round);
-    for (std::optional<Record>& record : records) {
-      if (record && runner.rounds_missing(*record) > 0) record.reset();
+    int round = 0;
+    while (round < runner.limits().repetitions) run_round(round++);
+    measure_equal_solves_again();
+    // And what is unsteady.
+    const auto lacks_rounds = [&](std::size_t i) { return records[i] && missing(i) > 0; };
+    while (!interrupted() && std::ranges::any_of(indices(), lacks_rounds)) run_round(round++);
+    for (const std::size_t i : indices()) {
+      if (!records[i]) continue;
+      if (missing(i) > 0)
+        records[i].reset();
+      else if (!done[i])
+        observer.case_done(i, *records[i]);
     }
     return std::move(records);
+  }
+
+  [[nodiscard]] int missing(std::size_t i) const {
+    return runner.rounds_missing(*records[i], schedule.more_rounds, least[i]);
+  }
+
+  /// Whether a case has one round that may have to be confirmed by another one.
+  [[nodiscard]] bool is_unconfirmed(std::size_t i) const {
+    const Record& record = *records[i];
+    return schedule.more_rounds > 0 && record.seconds && record.seconds->rounds.size() == 1 &&
+           !record.answer.empty();
+  }
+
+  /// Cases of one method with the same problem and the same answer to the last bit are one solve: where their
+  /// times differ by more than kSteadyFactor, those of a single round get another one.
+  void measure_equal_solves_again() {
+    std::map<std::array<std::string, 3>, std::vector<std::size_t>> equal;
+    for (const std::size_t i : indices()) {
+      if (!records[i] || !records[i]->seconds) continue;
+      const Record& record = *records[i];
+      if (!record.answer.empty() && !record.problem.empty())
+        equal[{record.method, record.problem, record.answer}].push_back(i);
+    }
+    if (schedule.more_rounds == 0) return;
+    const auto seconds = [&](std::size_t i) { return records[i]->seconds->median; };
+    for (const auto& [what, cases] : equal) {
+      const auto [shortest, longest] = std::ranges::minmax(cases, {}, seconds);
+      if (seconds(longest) <= kSteadyFactor * seconds(shortest)) continue;
+      for (const std::size_t i : cases) least[i] = 2;
+    }
   }
 
   /// What jobs of these are about: exact responses, which others are measured against, before all others.
@@ -115,15 +160,14 @@ struct SceneRounds {
   }
 
   /// A case that was begun in an earlier run may be some rounds ahead of the others.
-  [[nodiscard]] bool is_due(const std::optional<Record>& record, int round) const {
-    if (round == 0) return !record;
-    return record && runner.rounds_missing(*record) > 0 &&
-           static_cast<int>(record->seconds->rounds.size()) <= round;
+  [[nodiscard]] bool is_due(std::size_t i, int round) const {
+    if (round == 0 || !records[i]) return round == 0 && !records[i];
+    return missing(i) > 0 && std::cmp_less_equal(records[i]->seconds->rounds.size(), round);
   }
 
   void run_round(int round) {
     std::vector<std::size_t> due = round_order(jobs.size(), schedule.seed, scene.problem.name, round);
-    std::erase_if(due, [&](std::size_t index) { return !is_due(records[index], round); });
+    std::erase_if(due, [&](std::size_t index) { return !is_due(index, round); });
     // Exact responses first, which others are measured against; side by side only what is of one kind.
     std::ranges::stable_sort(due, {}, [&](std::size_t index) {
       return schedule.parallel > 1 ? kind_of(index) : std::min(kind_of(index), 1);
@@ -149,13 +193,16 @@ struct SceneRounds {
   }
 
   void take_record(std::size_t index, Record record) {
-    if (record.seconds && schedule.together() > 1) record.seconds->jobs = schedule.together();
-    records[index] = std::move(record);
-    if (runner.rounds_missing(*records[index]) > 0) {
-      observer.round_done(index, *records[index]);
-    } else {
-      observer.case_done(index, *records[index]);
+    if (record.seconds) {
+      if (schedule.together() > 1) record.seconds->jobs = schedule.together();
+      const bool is_later = records[index] && records[index]->seconds;
+      const Measure before = is_later ? records[index]->seconds->load : std::nullopt;
+      const Measure now = load_beside(schedule.together());
+      record.seconds->load = now && before ? std::max(*now, *before) : now ? now : before;
     }
+    records[index] = std::move(record);
+    done[index] = missing(index) == 0 && !is_unconfirmed(index);
+    (done[index] ? observer.case_done : observer.round_done)(index, *records[index]);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "harness/run/trial.hpp"
 #include "harness/statistics.hpp"
@@ -35,6 +36,22 @@ class LeastTime final : public benchmark::BenchmarkReporter {
 int rounds_for(double first, const TimingBudget& budget) {
   if (first < budget.round_seconds) return budget.rounds;
   return static_cast<int>(std::clamp(budget.total_seconds / first, 1.0, static_cast<double>(budget.rounds)));
+}
+
+bool rounds_agree(const std::vector<TimedRound>& rounds, int count) {
+  if (std::cmp_less(rounds.size(), count)) return false;
+  std::vector<double> total;
+  for (const TimedRound& round : rounds) total.push_back(round.setup + round.solve);
+  std::ranges::sort(total);
+  for (std::size_t last = static_cast<std::size_t>(count) - 1; last < total.size(); ++last)
+    if (total[last] <= kSteadyFactor * total[last + 1 - static_cast<std::size_t>(count)]) return true;
+  return false;
+}
+
+int rounds_missing(const std::vector<TimedRound>& rounds, int planned, int more) {
+  const int taken = static_cast<int>(rounds.size());
+  if (taken < planned) return planned - taken;
+  return taken < planned + more && !rounds_agree(rounds, planned) ? 1 : 0;
 }
 
 double time_round(const std::string& name, const std::function<double()>& timed, double first,

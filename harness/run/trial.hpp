@@ -109,6 +109,17 @@ struct TimingBudget {
 /// Number of rounds of work whose first call took `first` seconds; that call counts as one.
 int rounds_for(double first, const TimingBudget& budget);
 
+/// Rounds whose times differ by more than this factor are measured again.
+inline constexpr double kSteadyFactor = 1.25;
+
+/// Whether `count` of the rounds, at least one, have times of set-up and solve within kSteadyFactor of each
+/// other.
+bool rounds_agree(const std::vector<TimedRound>& rounds, int count);
+
+/// Rounds to be taken yet, 0 or more: those that lack of `planned`, and while no so many agree one more, up
+/// to `more` more than planned.
+int rounds_missing(const std::vector<TimedRound>& rounds, int planned, int more);
+
 /// Least time of one call in one round [s]. Google Benchmark chooses how many calls the round has. Each call
 /// of `timed` returns its own time, so that clean-up is not counted. A first call that lasts as long as a
 /// round is the round; unless it lasts ten times as long, a second call must confirm that, because an

@@ -94,6 +94,8 @@ constexpr std::array kOfShard{
     Rule{"/command_line", is_list_of<is_text>, "must be a list of words"},
     Rule{"/shard", is_shard, "must be I/N with 1 <= I <= N"},
     Rule{"/load", is_load, "must be a list of numbers"},
+    Rule{"/load_end", is_load, "must be a list of numbers"},
+    Rule{"/running", is_duration, kDuration},
 };
 
 constexpr std::array kOfRun{
@@ -103,6 +105,7 @@ constexpr std::array kOfRun{
     Rule{"/seed", is_seed, "must be a whole number"},
     Rule{"/jobs", is_count, kCount},
     Rule{"/times_comparable", is_switch, "must be true or false"},
+    Rule{"/times_not_comparable", is_text, kText},
     Rule{"/limits", is_object, kObject},
     Rule{"/limits/timeout_s", is_duration, kDuration},
     Rule{"/limits/memory_mb", is_count, kCount},
@@ -125,6 +128,8 @@ constexpr std::array kOfRun{
     Rule{"/machine/governor", is_text, kText},
     Rule{"/machine/kernel", is_text, kText},
     Rule{"/machine/load", is_list_of<is_number>, "must be a list of numbers"},
+    Rule{"/machine/load_end", is_list_of<is_number>, "must be a list of numbers"},
+    Rule{"/machine/running", is_duration, kDuration},
     Rule{"/plugins", is_table_of_methods, "must be an object of texts, by names of methods"},
     Rule{"/sweep", is_object, kObject},
     Rule{"/shards", is_list_of<is_object>, "must be a list of objects"},

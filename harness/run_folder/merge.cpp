@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "harness/failure.hpp"
+#include "harness/run_folder/machine_load.hpp"
 #include "harness/run_folder/shards.hpp"
 #include "harness/table.hpp"
 #include "harness/text/json.hpp"
@@ -56,12 +57,21 @@ Json merged_manifest(std::span<const RunFolder> parts) {
       if (part.manifest.contains(key)) shard[key] = part.manifest[key];
     }
     shard["load"] = at(part, "/machine/load");
+    for (const char* key : {"load_end", "running"}) {
+      const std::string place = std::string("/machine/") + key;
+      if (const Json value = at(part, place); !value.is_null()) shard[key] = value;
+    }
     shards.push_back(std::move(shard));
   }
   for (const char* key : {"date", "command_line", "shard"}) manifest.erase(key);
-  if (manifest.contains("machine")) manifest["machine"].erase("load");
+  if (manifest.contains("machine"))
+    for (const char* key : {"load", "load_end", "running"}) manifest["machine"].erase(key);
   for (const RunFolder& part : parts) join_plugins(manifest, part.manifest);
   manifest["shards"] = std::move(shards);
+  std::string why;  // of any part
+  for (const RunFolder& part : parts)
+    if (why.empty()) why = why_not_comparable(part.manifest);
+  note_times(manifest, why);
   return manifest;
 }
 

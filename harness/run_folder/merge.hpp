@@ -26,7 +26,8 @@ std::optional<std::string> plugin_difference(const RunFolder& a, const RunFolder
 void join_plugins(nlohmann::ordered_json& manifest, const nlohmann::ordered_json& other);
 
 /// All records once, in natural order of their names, each with the part that holds it; the plans joined; the
-/// first manifest with the date, command line and load of each part. \throws UsageError if two of them do not
+/// first manifest with the date, command line and load of each part, its times comparable where those of all
+/// parts are. \throws UsageError if two of them do not
 /// mix, or a shard is missing
 RunFolder merge_runs(std::vector<RunFolder> parts);
 

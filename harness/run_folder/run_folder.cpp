@@ -21,6 +21,7 @@
 #include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_check.hpp"
+#include "harness/run_folder/machine_load.hpp"
 #include "harness/run_folder/manifest_check.hpp"
 #include "problems/files/toml_tree.hpp"
 
@@ -119,6 +120,7 @@ Json machine() {
   write_field(json, Field{"kernel"}, kernel_release());
   std::array<double, 3> load{};
   if (getloadavg(load.data(), 3) == 3) json["load"] = load;
+  if (const auto now = load_average()) json["running"] = now->running;
   return json;
 }
 
@@ -249,17 +251,19 @@ Json program_manifest(const std::vector<std::string>& command_line) {
 Json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
                    const std::vector<std::string>& command_line) {
   const Json program = program_manifest(command_line);
-  return {{"schema", program["schema"]},
-          {"suite", suite.name},
-          {"date", program["date"]},
-          {"command_line", program["command_line"]},
-          {"order", "scene by scene, rounds in random order"},
-          {"seed", schedule.seed},
-          {"jobs", schedule.together()},
-          {"times_comparable", build_may_be_timed() && schedule.together() == 1},
-          {"limits", write_fields(limits)},
-          {"build", program["build"]},
-          {"machine", program["machine"]}};
+  Json manifest{{"schema", program["schema"]},
+                {"suite", suite.name},
+                {"date", program["date"]},
+                {"command_line", program["command_line"]},
+                {"order", "scene by scene, rounds in random order"},
+                {"seed", schedule.seed},
+                {"jobs", schedule.together()},
+                {"times_comparable", true},
+                {"limits", write_fields(limits)},
+                {"build", program["build"]},
+                {"machine", program["machine"]}};
+  note_times(manifest);
+  return manifest;
 }
 
 }  // namespace signorini

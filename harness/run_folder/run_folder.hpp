@@ -61,7 +61,8 @@ void write_plan(const std::filesystem::path& folder, const std::vector<PlannedCa
 /// absent.
 nlohmann::ordered_json program_manifest(const std::vector<std::string>& command_line);
 
-/// Build, machine, date, limits and command line. What the system does not tell is absent.
+/// Build, machine, date, limits, command line and whether times are comparable (note_times), as far as that
+/// is known at the start. What the system does not tell is absent.
 nlohmann::ordered_json make_manifest(const Suite& suite, const Limits& limits, const Schedule& schedule,
                                      const std::vector<std::string>& command_line);
 

@@ -17,7 +17,7 @@ class Motion:
     period: T [s]; None: that of the problem.
     impulses: (contact, time [s], impulse <= 0 [N s]), in time order; of methods that keep impacts.
     bandwidth: harmonics that the method resolves.  residual: of the method's own equations, relative [-].
-    work: counts "unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations".  message: one sentence.
+    work: counts "unknowns", "iterations", "pivots", "rhs_evaluations", "factorisations", "points" of a curve followed to it.  message: one sentence.
     """
 
     x: np.ndarray

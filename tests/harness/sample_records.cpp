@@ -47,7 +47,7 @@ Record full_record() {
   record.options = {{"n", 1L}, {"tolerance", 1e-9}};
   record.same_equations_as = "method-b";
   record.work.counts = {
-      .unknowns = 1, .iterations = 2, .pivots = 3, .rhs_evaluations = 4, .factorisations = 5};
+      .unknowns = 1, .iterations = 2, .pivots = 3, .rhs_evaluations = 4, .factorisations = 5, .points = 7};
   record.work.peak_memory_bytes = 6;
   record.elapsed = 1.5;
   record.processor = {.solve = 0.125, .timing = 0.25, .measures = 0.0625, .certificate = 0.5};
@@ -55,6 +55,8 @@ Record full_record() {
   record.seconds->rounds = {{0.1, 0.4}, {0.125, 0.375}};
   record.seconds->jobs = 2;
   record.seconds->exchange = 0.25;
+  record.seconds->unsteady = false;
+  record.seconds->load = 0.5;
   record.coordinates = 3;
   record.contacts = 1;
   record.certificate.rule = kCertificateRule;

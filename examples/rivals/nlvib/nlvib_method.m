@@ -171,7 +171,7 @@ function answer = solve_problem(problem, options, kind)
     if !(rest <= 1e-8), continue; end
     answer = struct("verdict", "converged", "residual", rest);
     answer.message = sprintf("%d points of the response curve from %.4g rad/s", points, begin);
-    answer.work = struct("unknowns", numel(x), "iterations", iterations);
+    answer.work = struct("unknowns", numel(x), "iterations", iterations, "points", points);
     answer.trajectory = analysis.motion([x * scale; omega]);
     return
   end

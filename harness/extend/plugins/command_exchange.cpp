@@ -137,7 +137,7 @@ std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
 /// Counts of work: those of a record, none of them negative.
 Work read_work(const Json& json) {
   WorkDone work;
-  const Json known = write_fields(WorkDone{.counts = {0, 0, 0, 0, 0}});
+  const Json known = write_fields(WorkDone{.counts = {0, 0, 0, 0, 0, 0}});
   for (const auto& [key, value] : json.items()) {
     if (!known.contains(key)) refuse(fmt::format("work.{} = unknown", one_line(key)));
     if (!value.is_number() || value.get<double>() < 0.0)

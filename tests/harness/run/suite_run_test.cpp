@@ -192,8 +192,10 @@ class Rounds : public testing::Test {
         scene_, 0, {&test::fake_catalogue().front(), {{"behaviour", behaviour}, {"level", level}}}));
   }
 
-  void run(const Schedule& schedule, std::vector<std::optional<Record>> begun = {}) {
-    Runner runner(kThreeRounds, test::free_orbits(), [](std::string_view) { return std::string("v"); });
+  /// With the rounds planned alone, whatever times come out, unless `more` are allowed.
+  void run(Schedule schedule, std::vector<std::optional<Record>> begun = {}, int more = 0) {
+    schedule.more_rounds = more;
+    Runner runner(limits_, test::free_orbits(), [](std::string_view) { return std::string("v"); });
     const std::vector<Job> jobs = runner.make_jobs(scene_, cases_);
     runner.compute_references(scene_, jobs);
     begun.resize(cases_.size());
@@ -210,6 +212,7 @@ class Rounds : public testing::Test {
     for (const auto& [index, record] : complete_) EXPECT_EQ(records[index].value().case_id, record.case_id);
   }
 
+  Limits limits_ = kThreeRounds;
   /// Where nothing is timed, the first round of a case is the only one.
   const bool timed_ = build_may_be_timed();
   const std::size_t rounds_ = timed_ ? 3 : 1;
@@ -274,6 +277,38 @@ TEST_F(Rounds, ContinueWhereAnInterruptedRunLeftOff) {
   EXPECT_EQ(complete_.at(0).seconds->rounds[0].solve, one_round.seconds.value().rounds[0].solve);
   EXPECT_EQ(complete_.at(1).seconds.value().rounds.size(), 3U);
   EXPECT_EQ(complete_.at(1).seconds->rounds[1].solve, two_rounds.seconds.value().rounds[1].solve);
+}
+
+TEST_F(Rounds, AreTakenAgainWhereEqualSolvesDiffer) {
+  if (!timed_) return;
+  limits_.repetitions = 1;
+  add("good", "1");
+  add("good", "2");
+  run({});
+  const auto with_time = [&](std::size_t i, double seconds) {
+    Record record = complete_.at(i);
+    record.seconds = summarise({{.solve = seconds}});
+    return record;
+  };
+  ASSERT_EQ(complete_.at(0).answer, complete_.at(1).answer);
+  const std::vector<std::optional<Record>> near{with_time(0, 2.0), with_time(1, 2.4)},
+      far{with_time(0, 2.0), with_time(1, 3.1)};
+  complete_.clear();
+  begun_.clear();
+  run({}, near, kMoreRounds);
+  EXPECT_TRUE(begun_.empty());
+  EXPECT_EQ(complete_.at(1).seconds.value().rounds.size(), 1U);
+  complete_.clear();
+  run({}, far, kMoreRounds);
+  EXPECT_GE(begun_.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    // The second round takes some microseconds: a third one at least has to say which time is right.
+    const Seconds seconds = complete_.at(i).seconds.value();
+    EXPECT_GE(seconds.rounds.size(), 3U);
+    EXPECT_LE(seconds.rounds.size(), 2U + kMoreRounds);
+    EXPECT_TRUE(seconds.unsteady.has_value());
+    EXPECT_TRUE(seconds.load.has_value());
+  }
 }
 
 TEST_F(Rounds, TakeTheOrderOfTheSeed) {

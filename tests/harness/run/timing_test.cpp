@@ -38,6 +38,26 @@ TEST(RoundsFor, GivesSlowWorkFewerRoundsButNeverNone) {
   EXPECT_EQ(rounds_for(60.0, budget), 1);
 }
 
+std::vector<TimedRound> rounds_of(const std::vector<double>& seconds) {
+  std::vector<TimedRound> rounds;
+  for (const double one : seconds) rounds.push_back({.setup = 0.25 * one, .solve = 0.75 * one});
+  return rounds;
+}
+
+TEST(RoundsMissing, AreThosePlannedAndMoreWhileTimesDifferByAQuarter) {
+  constexpr int kMore = 3;
+  EXPECT_EQ(rounds_missing(rounds_of({1.0}), 3, kMore), 2);
+  EXPECT_EQ(rounds_missing(rounds_of({1.0, 1.2, 1.1}), 3, kMore), 0);
+  EXPECT_EQ(rounds_missing(rounds_of({1.0, 1.55, 1.1}), 3, kMore), 1);
+  EXPECT_EQ(rounds_missing(rounds_of({1.0, 1.55, 1.1, 1.2}), 3, kMore), 0) << "three agree";
+  EXPECT_EQ(rounds_missing(rounds_of({2.32, 3.59}), 2, kMore), 1);
+  EXPECT_EQ(rounds_missing(rounds_of({1.0, 2.0, 4.0, 8.0}), 2, kMore), 1);
+  EXPECT_EQ(rounds_missing(rounds_of({1.0, 2.0, 4.0, 8.0, 16.0}), 2, kMore), 0) << "enough is enough";
+  EXPECT_FALSE(rounds_agree(rounds_of({1.0, 2.0, 4.0, 8.0, 16.0}), 2));
+  EXPECT_EQ(rounds_missing(rounds_of({1.0, 2.0}), 2, 0), 0);
+  EXPECT_EQ(rounds_missing(rounds_of({1.0}), 1, kMore), 0) << "one round has nothing to differ from";
+}
+
 TEST(Summarise, AddsSetUpAndSolveRoundByRound) {
   const Seconds seconds = summarise({{1.0, 10.0}, {2.0, 10.0}, {3.0, 20.0}});
   EXPECT_EQ(seconds.median, 12.0);

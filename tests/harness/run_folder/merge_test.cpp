@@ -57,6 +57,18 @@ TEST(MergeRuns, RefusesMixedMachinesLimitsAndBuilds) {
   EXPECT_NO_THROW(merge_runs(parts));
 }
 
+TEST(MergeRuns, KeepsTheWorstLoadOfItsParts) {
+  std::vector<RunFolder> parts{test::part_of_a_run("a", {"n=1"}), test::part_of_a_run("b", {"n=2"})};
+  EXPECT_EQ(merge_runs(parts).manifest["times_comparable"], true);
+  parts[1].manifest["machine"]["load_end"] = {5.0, 1.0, 1.0};
+  const nlohmann::ordered_json merged = merge_runs(parts).manifest;
+  EXPECT_EQ(merged["times_comparable"], false);
+  EXPECT_EQ(merged["times_not_comparable"],
+            "the load average was 5 at the end, on 2 processors with 1 case at a time");
+  EXPECT_EQ(merged["shards"][1]["load_end"][0], 5.0);
+  EXPECT_FALSE(merged["machine"].contains("load_end"));
+}
+
 TEST(MergeRuns, RefusesTwoBuildsOfOnePluginAndJoinsTheOthers) {
   std::vector<RunFolder> parts{test::part_of_a_run("a", {"n=1"}), test::part_of_a_run("b", {"n=2"}),
                                test::part_of_a_run("c", {"n=3"})};

@@ -97,7 +97,7 @@ TEST(Manifest, ComparesNoTimesOfCasesThatRanSideBySide) {
   const auto comparable = [](const Schedule& schedule) {
     return make_manifest({}, {}, schedule, {}).at("times_comparable").get<bool>();
   };
-  EXPECT_EQ(comparable({}), build_may_be_timed());
+  EXPECT_TRUE(build_may_be_timed() || !comparable({}));
   EXPECT_FALSE(comparable({.parallel = 2}));
   EXPECT_FALSE(comparable({.beside = 2}));
   EXPECT_EQ(make_manifest({}, {}, {.parallel = 3, .beside = 2}, {}).at("jobs"), 6);

@@ -17,7 +17,7 @@ constexpr double kPeriod = 2.0;  // [s]
 Json answer() {
   return {{"verdict", "converged"},
           {"residual", 1e-12},
-          {"work", {{"iterations", 7}}},
+          {"work", {{"iterations", 7}, {"points", 186}}},
           {"trajectory",
            {{"t", {0.0, 1.0}}, {"x", {{0.1, 0.2}}}, {"velocity", {{0.0, 0.0}}}, {"force", {{0.0, -1.0}}}}}};
 }
@@ -68,6 +68,7 @@ TEST(ReadCommandAnswer, ReadsWhatTheCommandFound) {
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_EQ(solution.residual, 1e-12);
   EXPECT_EQ(solution.work.iterations, 7);
+  EXPECT_EQ(solution.work.points, 186);
   EXPECT_FALSE(solution.work.unknowns.has_value());
   ASSERT_NE(solution.trajectory, nullptr);
   EXPECT_EQ(solution.trajectory->period(), kPeriod);

@@ -1,0 +1,41 @@
+#pragma once
+// How busy a machine is with other programs while cases are timed, and whether times are comparable.
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace signorini {
+
+/// What the file proc/loadavg below `root` says (proc(5)).
+struct LoadAverage {
+  double minute = 0.0;  ///< processes that ran or waited to run, mean over about a minute [-]
+  int running = 0;      ///< that do so now beside the one that asks [-]
+};
+
+/// Nothing where the system does not tell.
+std::optional<LoadAverage> load_average(const std::filesystem::path& root = "/");
+
+/// The load of other programs over the processors that `jobs` cases leave to them, (load - own) / (processors
+/// - jobs), not below 0 and for a quarter of a processor at least: above 1 they take time from the cases [-].
+/// \param own  processes of the program itself that the load counts
+double load_share(double load, int own, int jobs, int processors);
+
+/// load_share of this machine while so many cases run.
+std::optional<double> load_beside(int jobs);
+
+/// Writes into the manifest of a run whether its times are comparable, `times_comparable`, and why they are
+/// not, `times_not_comparable`. \param before  why those of a run that this one resumes are not; or empty
+void note_times(nlohmann::ordered_json& manifest, const std::string& before = {});
+
+/// Writes the load at the end of a run into the manifest in its folder, and note_times. \throws UsageError
+void close_manifest(const std::filesystem::path& folder);
+
+/// Why times of a run are not comparable, by its manifest, as a clause: the build has none, cases ran at the
+/// same time, or at its start or end, or at those of a shard, load_share was above 1. At the start counted is
+/// the lesser of the mean and of what ran then: a build that has just ended disturbs nothing. Empty where
+/// they are comparable, as far as the manifest tells.
+std::string why_not_comparable(const nlohmann::ordered_json& manifest);
+
+}  // namespace signorini
