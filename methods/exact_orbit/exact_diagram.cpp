@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -33,6 +34,7 @@ class Beginnings {
     add_one_impact();
     for (const KnownMotion& known : limits_.begin_at)
       if (family_.driven()) add(known);
+    if (orbits_.empty() && failure_) std::rethrow_exception(failure_);
     return std::move(orbits_);
   }
 
@@ -57,6 +59,7 @@ class Beginnings {
       const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
       if (solution.verdict == Verdict::converged) add({parameter, solution.trajectory});
     } catch (const std::runtime_error&) {  // a resonance, or a mean load that nothing balances
+      failure_ = std::current_exception();
     }
   }
 
@@ -97,6 +100,7 @@ class Beginnings {
   const Method& method_;
   const CurveLimits& limits_;
   std::vector<SequencedOrbit> orbits_;
+  std::exception_ptr failure_;  // of the last answer that could not be asked for
 };
 
 }  // namespace

@@ -162,6 +162,9 @@ class PreparedHat final : public PreparedMethod {
     solution.verdict =
         finite && result.status == LcpStatus::solved ? Verdict::converged : Verdict::not_converged;
     solution.message = contacts == 0 ? "no contact in the scene: linear response" : describe(result.status);
+    if (solution.verdict == Verdict::converged && receptance_.rigid_count() > 0 && pressure.isZero(0.0))
+      solution.message =
+          "nothing touches: one of a family of free motions, of any mean within the clearances";
     solution.residual = result.residual;
     solution.condition = result.condition;
     solution.work.unknowns = samples() * contacts;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "methods/periodic_motion/period_map.hpp"
+#include "methods/structure/rigid_motions.hpp"
 
 namespace signorini {
 
@@ -120,7 +121,8 @@ class OrbitFinder::Search {
   std::optional<FlowState> last_;  // section state of the last equations solved
 };
 
-OrbitFinder::OrbitFinder(const Problem& problem) : model_(std::make_shared<OrbitModel>(problem)) {}
+OrbitFinder::OrbitFinder(const Problem& problem)
+    : model_(std::make_shared<OrbitModel>(with_idle_parts_held(problem).value_or(problem))) {}
 
 OrbitFinder::OrbitFinder(const Problem& problem, CondensedStructure condensed,
                          std::shared_ptr<SharedModes> shared)

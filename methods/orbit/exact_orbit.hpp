@@ -123,7 +123,8 @@ struct SearchOptions {
   std::function<bool()> expired = [] { return false; };  ///< true ends the search
 };
 
-/// Exact orbits of one scene of period Problem::period(). Not thread-safe: flows are made when first needed.
+/// Exact orbits of one scene of period Problem::period(), idle parts of it held (with_idle_parts_held). Not
+/// thread-safe: flows are made when first needed.
 class OrbitFinder {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one

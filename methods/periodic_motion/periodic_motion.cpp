@@ -5,10 +5,12 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/structure/periodic_response.hpp"
+#include "methods/structure/rigid_motions.hpp"
 
 namespace signorini {
 
@@ -76,6 +78,10 @@ Solution find_periodic_motion(const Problem& problem, const ContactDynamics& dyn
     solution.verdict = Verdict::not_converged;
     solution.message = error.what();
     if (map) solution.work.iterations = map->periods();
+  }
+  if (solution.verdict != Verdict::converged) {
+    if (std::string reason = unbalanced_mean_load(problem); !reason.empty())
+      solution.message = std::move(reason);
   }
   if (flow) solution.work.rhs_evaluations = flow->rhs_evaluations();
   return solution;

@@ -16,6 +16,7 @@ class SingularStiffness : public std::runtime_error {
   SingularStiffness()
       : std::runtime_error(
             "dynamic stiffness is singular at a harmonic: undamped resonance or free rigid-body motion") {}
+  using std::runtime_error::runtime_error;  ///< with a text that says more
 };
 
 /// Coordinates up to which each Z_n is factorised without further ado; beyond, a projection is tried first.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -24,10 +25,13 @@ namespace {
 constexpr double kNoSpring = 1e-12;  // of the diagonal: rounding of an assembly
 constexpr int kMostByAllEigenvalues = 400;
 
-/// S K S of unit diagonal, S diagonal; 1 on rows without one.
-SparseMatrix unit_diagonal(const SparseMatrix& K, Eigen::VectorXd& scale) {
-  scale =
-      Eigen::VectorXd(K.diagonal()).unaryExpr([](double k) { return k > 0.0 ? 1.0 / std::sqrt(k) : 1.0; });
+/// S K S of unit diagonal, S diagonal, or less where inertia outweighs springs; 1 on rows without either.
+SparseMatrix unit_diagonal(const SparseMatrix& K, const Problem& problem, Eigen::VectorXd& scale) {
+  constexpr double kInertia = 1e-2;
+  const double square = kInertia * problem.base_frequency() * problem.base_frequency();
+  const Eigen::VectorXd largest =
+      Eigen::VectorXd(K.diagonal()).cwiseMax(square * Eigen::VectorXd(problem.mass().diagonal()));
+  scale = largest.unaryExpr([](double k) { return k > 0.0 ? 1.0 / std::sqrt(k) : 1.0; });
   return scale.asDiagonal() * K * scale.asDiagonal();
 }
 
@@ -93,6 +97,48 @@ NoPeriodicMotion unbalanced(const Eigen::MatrixXd& motions, const Eigen::VectorX
                   rest.squaredNorm() / largest, direction_text(direction))};
 }
 
+/// Coordinates of parts, joined by entries of M, D and K, of which none is a contact's.
+std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
+  std::vector<int> part(static_cast<std::size_t>(problem.size()));
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&](int i) {
+    while (part[static_cast<std::size_t>(i)] != i) i = part[static_cast<std::size_t>(i)];
+    return i;
+  };
+  for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
+    for (int outer = 0; outer < matrix->outerSize(); ++outer) {
+      for (SparseMatrix::InnerIterator it(*matrix, outer); it; ++it) {
+        if (it.value() == 0.0 || it.row() == it.col()) continue;
+        const int a = root(static_cast<int>(it.row())), b = root(static_cast<int>(it.col()));
+        part[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      }
+    }
+  }
+  std::vector<bool> touched(part.size(), false), apart(part.size(), false);
+  for (const Contact& contact : problem.contacts)
+    for (const auto& [dof, weight] : contact.normal) touched[static_cast<std::size_t>(root(dof))] = true;
+  for (int i = 0; i < problem.size(); ++i)
+    apart[static_cast<std::size_t>(i)] = !touched[static_cast<std::size_t>(root(i))];
+  return apart;
+}
+
+/// A K that is singular beside rounding of its largest entries, by these; of no such entries as any other.
+SingularStiffness explained(const Problem& problem) {
+  constexpr double kRounding = 1e14;
+  const Eigen::VectorXd diagonal = problem.stiffness().diagonal();
+  Eigen::Index stiff = 0, soft = 0;
+  const double most = diagonal.maxCoeff(&stiff);
+  const double least =
+      diagonal.unaryExpr([](double k) { return k > 0.0 ? k : std::numeric_limits<double>::infinity(); })
+          .minCoeff(&soft);
+  if (!(most > kRounding * least)) return {};
+  return SingularStiffness{
+      fmt::format("stiffness of coordinate {} is {:.3g}, {:.1g} times that of coordinate {}, which is "
+                  "rounding beside it: leave a "
+                  "fixed coordinate out, or support it less stiffly",
+                  stiff, most, most / least, soft)};
+}
+
 /// m coordinates that hold R, Nd x m, in place: those of the largest pivots.
 std::vector<Eigen::Index> supports(Eigen::MatrixXd R) {
   std::vector<Eigen::Index> held;
@@ -112,7 +158,7 @@ Eigen::MatrixXd rigid_motions(const Problem& problem) {
   const SparseMatrix& K = problem.stiffness();
   const bool symmetric = is_symmetric(K);
   Eigen::VectorXd scale;
-  const SparseMatrix A = unit_diagonal(symmetric ? K : symmetric_part(K), scale);
+  const SparseMatrix A = unit_diagonal(symmetric ? K : symmetric_part(K), problem, scale);
   Eigen::MatrixXd R = scale.asDiagonal() * null_space(A);
   const Eigen::MatrixXd none(K.rows(), 0);
   if (R.cols() == 0) return none;
@@ -126,6 +172,39 @@ Eigen::MatrixXd rigid_motions(const Problem& problem) {
   if (!inertia.definite()) return none;
   inertia.normalise_columns(R);
   return R;
+}
+
+std::optional<Problem> with_idle_parts_held(const Problem& problem) {
+  const std::vector<bool> idle = coordinates_apart_from_contacts(problem);
+  if (std::ranges::find(idle, true) == idle.end()) return std::nullopt;
+  Eigen::MatrixXd R = rigid_motions(problem);
+  Eigen::MatrixXd projection = R * R.transpose();  // blocks of the parts
+  for (std::size_t i = 0; i < idle.size(); ++i) {
+    if (idle[i]) continue;
+    projection.row(static_cast<Eigen::Index>(i)).setZero();
+    projection.col(static_cast<Eigen::Index>(i)).setZero();
+  }
+  if (projection.isZero(0.0)) return std::nullopt;
+  const double rate = problem.base_frequency();
+  const SparseMatrix& M = problem.mass();
+  const Eigen::MatrixXd springs = rate * rate * (M * Eigen::MatrixXd(projection * M));
+  Problem held = problem;
+  held.edit_structure([&](Structure& s) { s.stiffness += SparseMatrix(springs.sparseView()); });
+  return held;
+}
+
+std::string unbalanced_mean_load(const Problem& problem) {
+  const Eigen::MatrixXd motions = rigid_motions(problem);
+  if (motions.cols() == 0) return {};
+  try {
+    ContactReceptance still;
+    still.receptance.resize(1);
+    still.free_response = Eigen::MatrixXcd::Zero(1, problem.contact_count());
+    fill_static_receptance(problem, motions, still);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return {};
 }
 
 HeldStructure::HeldStructure(const Problem& problem, const Eigen::MatrixXd& motions, double rate)
@@ -192,7 +271,7 @@ bool factorise_or_hold(const Problem& problem, const HarmonicWeights& weight, Dy
   } catch (const SingularStiffness&) {
     if (weight.mass != 0.0 || weight.damping != 0.0) throw;
     const Eigen::MatrixXd motions = rigid_motions(problem);
-    if (motions.cols() == 0) throw;
+    if (motions.cols() == 0) throw explained(problem);
     fill_static_receptance(problem, motions, result);
     return false;
   }

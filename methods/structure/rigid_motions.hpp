@@ -3,6 +3,7 @@
 // balance.
 
 #include <Eigen/Core>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,10 +21,20 @@ class NoPeriodicMotion : public std::runtime_error {
 };
 
 /// R, Nd x m: a basis of K R = 0 with R^T M R = 1 [kg^-1/2]; none where K is regular, not semidefinite, or
-/// some such motion carries no mass. Judged after scaling K to a unit diagonal, eigenvalues to 1e-12: by all
-/// of them to 400 coordinates, by inverse iteration beyond. Where K has a skew part, R is of its symmetric
-/// part and of K both.
+/// some such motion carries no mass. Judged after scaling K to a unit diagonal, or to 1e-2 w^2 M, w the base
+/// frequency, where that is larger, eigenvalues to 1e-12: by all of them to 400 coordinates, by inverse
+/// iteration beyond. Where K has a skew part, R is of its symmetric part and of K both.
 Eigen::MatrixXd rigid_motions(const Problem& problem);
+
+/// The scene with springs, w^2 M R R^T M at its base frequency w, on rigid motions of parts that hold no
+/// contact and that no element joins to one that does, or whose springs are below 1e-12 of w^2 M: what
+/// contacts feel is the same, and periodic motions are isolated. Nothing where every part holds a contact, or
+/// springs hold the others.
+std::optional<Problem> with_idle_parts_held(const Problem& problem);
+
+/// Why no motion has the load's period, as NoPeriodicMotion says it; empty where the mean load is balanced or
+/// springs hold the structure.
+std::string unbalanced_mean_load(const Problem& problem);
 
 /// The static response of a structure with rigid motions, each held at its mean by a spring of its own:
 ///
