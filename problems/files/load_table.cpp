@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/files/number_mistake.hpp"
 #include "problems/files/text_lines.hpp"
 #include "problems/files/toml_tree.hpp"
 
@@ -51,15 +52,19 @@ class TableReader {
     for (const std::string_view word : words) {
       const std::optional<double> number = number_of<double>(word);
       // A heading: the first line with content, once.
-      if (!number && columns_ == 0 && !headed_) return void(headed_ = true);
+      if (!number && columns_ == 0 && !headed_ && number_mistake(word).empty()) return void(headed_ = true);
       if (!number || !std::isfinite(*number))
-        lines_.refuse("value", fmt::format("\"{}\"", one_line(word)), "must be a finite number");
+        lines_.refuse("value", fmt::format("\"{}\"", one_line(word)),
+                      fmt::format("must be a finite number{}", number_mistake(word)));
       numbers.push_back(*number);
     }
     if (columns_ == 0) columns_ = numbers.size();
     if (numbers.size() > 2 || numbers.size() != columns_)
       lines_.refuse("columns", std::to_string(numbers.size()),
-                    "must be 1, the samples, or 2, instants [s] and samples, in every line");
+                    fmt::format("must be 1, the samples, or 2, instants [s] and samples, in every line{}",
+                                lines_.line().find_first_of("; \t") == std::string_view::npos
+                                    ? ""
+                                    : number_mistake(lines_.line())));
     if (columns_ == 2) instants_.push_back(numbers[0]);
     samples_.push_back(numbers.back());
     if (samples_.size() > kMostLoadSamples)

@@ -20,6 +20,24 @@ std::vector<std::string_view> words_of(std::string_view line, std::string_view b
   }
 }
 
+std::optional<double> fortran_number(std::string_view word) {
+  constexpr std::size_t kLongest = 64;
+  if (word.size() > kLongest) return std::nullopt;
+  std::string text(word);
+  const std::size_t letter = text.find_first_of("dD");
+  if (letter != std::string::npos)
+    text[letter] = 'e';
+  else if (const std::size_t sign = text.find_last_of("+-"); sign != std::string::npos && sign > 0)
+    text.insert(sign, "e");
+  return number_of<double>(text);
+}
+
+TextLines::TextLines(std::string_view text, const std::string& name, std::string_view between)
+    : rest_(text), name_(name), between_(between) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+}
+
 bool TextLines::next() {
   constexpr std::size_t kLongest = std::size_t{1} << 20U;  // [bytes]
   while (!rest_.empty()) {

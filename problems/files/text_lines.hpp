@@ -27,15 +27,19 @@ std::optional<Number> number_of(std::string_view word) {
   return value;
 }
 
-/// The lines of a text, taken apart, with their numbers. All that refuses throws SceneError in the form
-/// `NAME:LINE: what = found (required)`, of one line whatever the text holds.
+/// The number of a word with an exponent as Fortran writes it, 1.5D+03 or 1.5-103; nothing for any other
+/// word.
+std::optional<double> fortran_number(std::string_view word);
+
+/// The lines of a text, taken apart, with their numbers; a byte order mark at its head is left out. All that
+/// refuses throws SceneError in the form `NAME:LINE: what = found (required)`, of one line whatever the text
+/// holds.
 class TextLines {
  public:
   /// \param text     outlives this
   /// \param name     of the file; outlives this
   /// \param between  the characters that part words
-  TextLines(std::string_view text, const std::string& name, std::string_view between = kBlanks)
-      : rest_(text), name_(name), between_(between) {}
+  TextLines(std::string_view text, const std::string& name, std::string_view between = kBlanks);
 
   /// Goes on to the next line that has a word; false at the end. \throws SceneError for a line above 1 MiB
   bool next();
@@ -46,7 +50,9 @@ class TextLines {
   [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
   /// The line as it stands.
   [[nodiscard]] std::string_view line() const { return line_; }
-  /// Its number, from 1.
+  /// Name of the file.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// The number of the line, from 1.
   [[nodiscard]] int number() const { return number_; }
 
   /// A word of the line as a whole number within a range. \throws SceneError

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <sstream>
 
+#include "problems/files/number_mistake.hpp"
+
 namespace signorini {
 
 namespace {
@@ -70,6 +72,12 @@ std::size_t end_of_quoted(std::string_view text, std::size_t at) {
 [[noreturn]] void refuse(const std::string& file, int line, std::string_view reason) {
   throw SceneError(fmt::format("{}:{}: file = not TOML (must be valid TOML 1.0; {})", file, line,
                                one_line(reason, kLongestReason)));
+}
+
+/// toml_number_mistake of a line of a text.
+std::string mistake_in_line(std::string_view text, int number) {
+  for (int i = 1; i < number; ++i) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return toml_number_mistake(text.substr(0, text.find('\n')));
 }
 
 /// Refuses keys of more than kMostParts parts before the library sees them. \throws SceneError
@@ -155,7 +163,8 @@ TomlNode parse_toml(std::string_view text, const std::string& file) {
   try {
     return convert(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    refuse(file, line_of(error.source()), error.description());
+    const int line = line_of(error.source());
+    refuse(file, line, std::string(error.description()) + mistake_in_line(text, line));
   }
 }
 

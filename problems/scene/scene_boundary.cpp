@@ -128,6 +128,12 @@ std::vector<Contact> read_ring(const SceneField& contact, int size) {
 }
 
 std::vector<Contact> read_contact(const SceneField& contact, const SystemDescription& system) {
+  for (const char* key : {"law", "restitution", "penalty", "damping"}) {
+    if (contact[key].given())
+      contact[key].refuse(
+          "must stand in a table [law] of its own, one for all contacts: what follows a line "
+          "[[contact]] belongs to that contact");
+  }
   contact.allow_only({"dof", "normal", "dofs", "facets", "face", "patch", "group", "direction", "gap",
                       "gap_term", "centre_term"},
                      "must be a table");

@@ -80,6 +80,10 @@ double SceneField::number_or(double otherwise, std::string_view requirement) con
 
 int SceneField::whole(std::string_view requirement, int least, int most) const {
   const auto* value = as<std::int64_t>();
+  const auto* real = as<double>();
+  if (real != nullptr && *real >= least && *real <= most && *real == std::floor(*real))
+    refuse(fmt::format("{:.1f}", *real),
+           fmt::format("{}: {:.0f}, without a decimal point", requirement, *real));
   if (value == nullptr || *value < least || *value > most) refuse(requirement);
   return static_cast<int>(*value);
 }

@@ -115,6 +115,7 @@ SceneField as_written(const SceneField& document, const ReadScene& scene, const 
     if (path.starts_with(fmt::format("law.{}[", constant)) && !document["law"][constant].is_array())
       return document["law"][constant];
   }
+  if (path == "forcing.frequency") return frequency_field(document["forcing"]);
   if (path.starts_with("frame[")) return document["contact"];
   if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
   if (path.starts_with("forcing.term[")) return document.at(origin_of_term(scene, path));
@@ -137,8 +138,9 @@ void mark_derived(ReadScene& scene, std::string origin) {
 }
 
 void read_forcing(const SceneField& forcing, const SystemDescription& system, ReadScene& scene) {
-  forcing.allow_only({"frequency", "subharmonic", "term", "unbalance"}, "must be a table with the frequency");
-  scene.problem.frequency = forcing["frequency"].number("must be a positive number [rad/s]", kLeastPositive);
+  forcing.allow_only({"frequency", "frequency_hz", "subharmonic", "term", "unbalance"},
+                     "must be a table with the frequency");
+  scene.problem.frequency = read_frequency(forcing);
   scene.problem.subharmonic = read_int(forcing["subharmonic"], 1);
   ReadLoad load = read_load(forcing["term"], system, scene.problem.frequency);
   scene.problem.force = std::move(load.things);
@@ -148,6 +150,9 @@ void read_forcing(const SceneField& forcing, const SystemDescription& system, Re
   mark_derived(scene, "forcing.unbalance");
   const FromTables<ForceTerm> unbalance = read_unbalance(forcing["unbalance"], system.size);
   scene.problem.force.insert(scene.problem.force.end(), unbalance.things.begin(), unbalance.things.end());
+  for (ForceTerm& term : scene.problem.force) {
+    if (std::ranges::find(system.held, term.dof) != system.held.end()) term.cos = term.sin = 0.0;
+  }
 }
 
 // Stops that give way, and loads of what moves, which needs the matrices. Whether stops have faces.

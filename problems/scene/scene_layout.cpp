@@ -14,13 +14,17 @@ TomlNode document_of(const SceneSource& source, const std::string& name) {
   return document;
 }
 
-}  // namespace
-
-SystemLayout load_layout(const SceneSource& source) {
+SystemDescription system_of(const SceneSource& source) {
   const std::string name = source.file.string();
   const TomlNode document = document_of(source, name);
-  return read_system(SceneField(document, name)["system"]).layout;
+  return read_system(SceneField(document, name)["system"]);
 }
+
+}  // namespace
+
+SystemLayout load_layout(const SceneSource& source) { return system_of(source).layout; }
+
+std::vector<std::string> load_notices(const SceneSource& source) { return system_of(source).notices; }
 
 std::vector<DampedStop> load_damped_stops(const SceneSource& source) {
   const std::string name = source.file.string();

@@ -35,19 +35,21 @@ std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
 }
 
 // The harmonic that a frequency is, where there is one. A motion that repeats itself needs a common period.
-int harmonic_of(const SceneField& field, double base) {
+int harmonic_of(const SceneField& term, double base) {
   constexpr double kSame = 1e-12;  // of the ratio
   constexpr int kMostParts = 64;
-  const double frequency = field.number("must be a positive number [rad/s]", kLeastPositive);
-  const double ratio = frequency / base;
+  const SceneField field = frequency_field(term);
+  const bool hertz = term["frequency_hz"].given();
+  const double ratio = read_frequency(term) / base;
   const auto is_whole = [](double value) { return std::abs(value - std::round(value)) <= kSame * value; };
   if (is_whole(ratio) && ratio < kMostLoadSamples) return static_cast<int>(std::lround(ratio));
   for (int q = 2; q <= kMostParts; ++q) {
     if (is_whole(ratio * q) && ratio * q < kMostLoadSamples)
       field.refuse(fmt::format(
-          "is {}/{} of forcing.frequency: write forcing.frequency = {:.17g}, and of what was a harmonic h "
+          "is {}/{} of forcing.frequency: write forcing.frequency{} = {:.17g}, and of what was a harmonic h "
           "harmonic = {} h, here harmonic = {}",
-          std::lround(ratio * q), q, base / q, q, std::lround(ratio * q)));
+          std::lround(ratio * q), q, hertz ? "_hz" : "", base / q / (hertz ? 2.0 * std::numbers::pi : 1.0), q,
+          std::lround(ratio * q)));
   }
   field.refuse(fmt::format(
       "must be p/q of forcing.frequency, q <= {}: a load of two frequencies without a common period has no "
@@ -56,9 +58,9 @@ int harmonic_of(const SceneField& field, double base) {
 }
 
 int read_load_harmonic(const SceneField& term, double base) {
-  if (!term["frequency"].given()) return read_int(term["harmonic"], 1);
+  if (!frequency_field(term).given()) return read_int(term["harmonic"], 1);
   if (term["harmonic"].given()) term["harmonic"].refuse("must be absent: frequency is given");
-  return harmonic_of(term["frequency"], base);
+  return harmonic_of(term, base);
 }
 
 std::vector<double> read_samples(const SceneField& samples) {
@@ -82,7 +84,7 @@ std::vector<double> read_table(const SceneField& table, double frequency, ReadLo
 
 // A term given by samples, on so many coordinates.
 SampledLoad read_sampled(const SceneField& term, double frequency, std::size_t places, ReadLoad& load) {
-  for (const char* key : {"harmonic", "frequency", "cos", "sin", "omega_power"}) {
+  for (const char* key : {"harmonic", "frequency", "frequency_hz", "cos", "sin", "omega_power"}) {
     if (term[key].given()) term[key].refuse("must be absent: the load is given by samples");
   }
   if (term["samples"].given() && term["file"].given())
@@ -123,13 +125,26 @@ int read_int(const SceneField& field, int otherwise) {
   return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
 }
 
+SceneField frequency_field(const SceneField& table) {
+  const SceneField hertz = table["frequency_hz"];
+  if (hertz.given() && table["frequency"].given()) hertz.refuse("must be absent: frequency is given");
+  return hertz.given() ? hertz : table["frequency"];
+}
+
+double read_frequency(const SceneField& table) {
+  const SceneField field = frequency_field(table);
+  if (!field.path().ends_with("_hz"))
+    return field.number("must be a positive number [rad/s]", kLeastPositive);
+  return 2.0 * std::numbers::pi * field.number("must be a positive number [Hz]", kLeastPositive);
+}
+
 ReadLoad read_load(const SceneField& terms, const SystemDescription& system, double frequency) {
   ReadLoad load;
   if (!terms.given()) return load;
   int table = 0;
   for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
-    term.allow_only({"dof", "face", "group", "direction", "harmonic", "frequency", "cos", "sin",
-                     "omega_power", "samples", "file", "harmonics"},
+    term.allow_only({"dof", "face", "group", "direction", "harmonic", "frequency", "frequency_hz", "cos",
+                     "sin", "omega_power", "samples", "file", "harmonics"},
                     "must be a table");
     const auto attack = read_point_of_attack(term, system);
     if (term["samples"].given() || term["file"].given()) {

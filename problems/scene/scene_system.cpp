@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "problems/assembly/chain.hpp"
 #include "problems/assembly/rotor.hpp"
 #include "problems/files/input_file.hpp"
-#include "problems/files/matrix_market.hpp"
+#include "problems/files/matrices/matrix_file.hpp"
 #include "problems/matrix_properties.hpp"
+#include "problems/skew_parts.hpp"
 
 namespace signorini {
 
@@ -96,20 +99,103 @@ std::filesystem::path file_beside(const SceneField& field, const std::string& na
   return std::filesystem::path(field.file()).parent_path() / name;
 }
 
-SparseMatrix read_matrix(const SceneField& field) {
-  const NamedFile file = read_named_file(
-      field, "must be the name of a Matrix Market file, relative to the scene's folder", kLargestMatrixFile);
-  return read_matrix_market(file.text, file.path.string());
+constexpr std::array kMatrixKeys{"mass", "damping", "stiffness", "gyroscopic", "circulatory"};
+constexpr double kNoise = 1e-12;  // of the largest entry
+
+NamedFile read_matrix_text(const SceneField& field) {
+  return read_named_file(field, "must be the name of a file of a matrix, relative to the scene's folder",
+                         kLargestMatrixFile);
 }
 
-SparseMatrix read_matrix(const SceneField& field, Eigen::Index size) {
-  SparseMatrix A = read_matrix(field);
-  if (A.rows() != size) {
-    field.refuse(fmt::format("{} x {} matrix", A.rows(), A.cols()),
-                 fmt::format("must be {} x {}, as mass", size, size));
+// The matrices of a system from their files.
+class MatrixFiles {
+ public:
+  explicit MatrixFiles(const SceneField& system) : system_(system) {}
+
+  SparseMatrix read(const char* key) {
+    const NamedFile file = read_matrix_text(system_[key]);
+    MatrixFile read = read_matrix_file(file.text, file.path.string(), coordinates(file));
+    for (std::string& notice : read.notices) notices_.push_back(std::move(notice));
+    if (wants_symmetric_part(key)) take_symmetric_part(key, read.matrix);
+    drop_noise(key, read.matrix);
+    return read.matrix;
   }
-  return A;
-}
+
+  SparseMatrix read(const char* key, Eigen::Index size) {
+    SparseMatrix A = read(key);
+    if (A.rows() != size) {
+      system_[key].refuse(fmt::format("{} x {} matrix", A.rows(), A.cols()),
+                          fmt::format("must be {} x {}, as mass", size, size));
+    }
+    return A;
+  }
+
+  std::vector<std::string> take_notices() { return std::move(notices_); }
+
+ private:
+  // Of all files of Abaqus, once one is met.
+  const NodeDofs& coordinates(const NamedFile& file) {
+    if (!coordinates_.empty() || coordinates_of_matrix_file(file.text, file.path.string()).empty())
+      return coordinates_;
+    for (const char* key : kMatrixKeys) {
+      if (!system_[key].given()) continue;
+      const NamedFile other = read_matrix_text(system_[key]);
+      coordinates_.merge(coordinates_of_matrix_file(other.text, other.path.string()));
+    }
+    return coordinates_;
+  }
+
+  [[nodiscard]] bool wants_symmetric_part(std::string_view key) const {
+    constexpr std::string_view kWhich = "must be a list of \"mass\", \"damping\" and \"stiffness\"";
+    const SceneField which = system_["symmetric_part"];
+    if (!which.given()) return false;
+    bool wanted = false;
+    for (const SceneField& item : which.items(kWhich)) {
+      const std::string name = item.text(kWhich);
+      if (std::ranges::find(kMatrixKeys.begin(), kMatrixKeys.begin() + 3, name) == kMatrixKeys.begin() + 3)
+        item.refuse(kWhich);
+      wanted = wanted || name == key;
+    }
+    return wanted;
+  }
+
+  void take_symmetric_part(std::string_view key, SparseMatrix& A) {
+    const double largest = largest_entry(A);
+    SparseMatrix part = symmetric_part(A);
+    const double dropped = largest_entry(SparseMatrix(A - part));
+    A.swap(part);
+    notices_.push_back(
+        fmt::format("{}: its symmetric part; dropped are skew entries up to {:.3g}, {:.2g} of the "
+                    "largest entry",
+                    key, dropped, largest > 0.0 ? dropped / largest : 0.0));
+  }
+
+  // Coordinates whose diagonal is below 0, and all of whose entries are rounding: zeros that were computed.
+  void drop_noise(std::string_view key, SparseMatrix& A) {
+    const double least = -kNoise * largest_entry(A);
+    const Eigen::VectorXd diagonal = A.diagonal();
+    std::vector<bool> noise(static_cast<std::size_t>(A.rows()));
+    for (int i = 0; i < A.rows(); ++i)
+      noise[static_cast<std::size_t>(i)] = diagonal(i) < 0.0 && diagonal(i) >= least;
+    if (std::ranges::find(noise, true) == noise.end()) return;
+    const auto is_noise = [&](Eigen::Index i) { return noise[static_cast<std::size_t>(i)]; };
+    for (int column = 0; column < A.outerSize(); ++column) {
+      for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry)
+        if (std::abs(entry.value()) > -least)
+          noise[static_cast<std::size_t>(entry.row())] = noise[static_cast<std::size_t>(column)] = false;
+    }
+    for (int i = 0; i < A.rows(); ++i)
+      if (is_noise(i))
+        notices_.push_back(
+            fmt::format("{}: {:.2g} at coordinate {} is rounding and taken as 0", key, diagonal(i), i));
+    A.prune(
+        [&](Eigen::Index row, Eigen::Index column, double) { return !is_noise(row) && !is_noise(column); });
+  }
+
+  const SceneField& system_;
+  NodeDofs coordinates_;
+  std::vector<std::string> notices_;
+};
 
 // A system that validate() will refuse may have no modes: it is left undamped here, for validate() to refuse.
 bool has_modes(const Structure& structure) {
@@ -124,7 +210,7 @@ bool has_modes(const Structure& structure) {
 }
 
 // One of damping, rayleigh and modal.
-SparseMatrix read_matrix_damping(const SceneField& system, const Structure& structure) {
+SparseMatrix read_matrix_damping(const SceneField& system, const Structure& structure, MatrixFiles& files) {
   const auto size = static_cast<int>(structure.mass.rows());
   const SceneField damping = system["damping"];
   const SceneField rayleigh = system["rayleigh"];
@@ -138,7 +224,10 @@ SparseMatrix read_matrix_damping(const SceneField& system, const Structure& stru
     if (!has_modes(structure)) return {size, size};
     return damping_matrix(model, structure.mass, structure.stiffness);
   }
-  if (!rayleigh.given()) return read_matrix(damping, size);
+  if (!rayleigh.given()) {
+    if (!damping.given()) damping.refuse("must be the name of a file; or give modal or rayleigh instead");
+    return files.read("damping", size);
+  }
   constexpr std::string_view kRequirement = "must be { alpha = .., beta = .. }";
   rayleigh.allow_only({"alpha", "beta"}, kRequirement);
   if (!rayleigh["alpha"].given() && !rayleigh["beta"].given()) rayleigh.refuse(kRequirement);
@@ -146,32 +235,86 @@ SparseMatrix read_matrix_damping(const SceneField& system, const Structure& stru
 }
 
 // A part of a matrix that does no work, or feeds it, where it is given.
-void add_skew_matrix(const SceneField& field, SparseMatrix& whole) {
-  constexpr double kRounding = 1e-12;  // of the largest entry
-  if (!field.given()) return;
-  const SparseMatrix skew = read_matrix(field, whole.rows());
-  if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <=
-        kRounding * largest_entry(skew)))
-    field.refuse("matrix with a symmetric part", "must be skew-symmetric to 1e-12 of its largest entry");
+void add_skew_matrix(const SceneField& system, const char* key, MatrixFiles& files, SparseMatrix& whole) {
+  if (!system[key].given()) return;
+  const SparseMatrix skew = files.read(key, whole.rows());
+  if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <= kNoise * largest_entry(skew)))
+    system[key].refuse("matrix with a symmetric part",
+                       "must be skew-symmetric to 1e-12 of its largest entry");
   whole += skew;
 }
 
+void require_symmetric(const SceneField& system, const char* key, const SparseMatrix& A,
+                       std::string_view otherwise) {
+  if (is_symmetric(A)) return;
+  const double skew = largest_entry(SparseMatrix(A - SparseMatrix(A.transpose())));
+  system[key].refuse(
+      "unsymmetric matrix",
+      fmt::format("must be symmetric to 1e-12 of its largest entry; a_ij - a_ji is up to {:.2g} of it: "
+                  "symmetric_part = [\"{}\"] drops that{}",
+                  skew / largest_entry(A), key, otherwise));
+}
+
+// Holds coordinates whose stiffness to the ground is a penalty, 1e20 N/m say, exactly at rest: they lose
+// their couplings and their mass. Beside such a number those of the structure are below rounding. \return
+// them
+std::vector<int> hold_supports(Structure& structure, std::vector<std::string>& notices) {
+  constexpr double kPenalty = 1e12;    // of the median of the diagonal
+  constexpr double kCoupling = 1e-10;  // of the diagonal: else it is a link to another coordinate
+  const Eigen::VectorXd diagonal = structure.stiffness.diagonal();
+  std::vector<double> sorted;
+  for (const double value : diagonal)
+    if (value > 0.0) sorted.push_back(value);
+  if (sorted.empty()) return {};
+  const auto middle = sorted.begin() + (std::ssize(sorted) - 1) / 2;
+  std::ranges::nth_element(sorted, middle);
+  const double usual = *middle;
+  if (diagonal.maxCoeff() <= kPenalty * usual) return {};
+  Eigen::VectorXd coupling = Eigen::VectorXd::Zero(diagonal.size());
+  for (int column = 0; column < structure.stiffness.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(structure.stiffness, column); entry; ++entry)
+      if (entry.row() != column) coupling(column) = std::max(coupling(column), std::abs(entry.value()));
+  }
+  std::vector<int> held;
+  const auto is_held = [&](Eigen::Index i) {
+    return diagonal(i) > kPenalty * usual && coupling(i) <= kCoupling * diagonal(i);
+  };
+  for (int i = 0; i < diagonal.size(); ++i) {
+    if (!is_held(i)) continue;
+    held.push_back(i);
+    notices.push_back(
+        fmt::format("stiffness: {:.3g} N/m at coordinate {}, {:.1g} times the median, is a support "
+                    "by penalty: the coordinate is held at rest, and loads on it move nothing",
+                    diagonal(i), i, diagonal(i) / usual));
+  }
+  for (SparseMatrix* A : {&structure.mass, &structure.damping, &structure.stiffness})
+    A->prune(
+        [&](Eigen::Index row, Eigen::Index column, double) { return !is_held(row) && !is_held(column); });
+  for (const int i : held) structure.stiffness.coeffRef(i, i) = usual;
+  structure.stiffness.makeCompressed();
+  return held;
+}
+
 SystemDescription read_matrices(const SceneField& system) {
-  system.allow_only(
-      {"kind", "mass", "damping", "rayleigh", "modal", "stiffness", "gyroscopic", "circulatory"},
-      "must be a table");
+  system.allow_only({"kind", "mass", "damping", "rayleigh", "modal", "stiffness", "gyroscopic", "circulatory",
+                     "symmetric_part"},
+                    "must be a table");
+  MatrixFiles files(system);
   // Swapped, not moved: these matrices have no moves, and copies of a dense one are large.
   auto structure = std::make_shared<Structure>();
-  read_matrix(system["mass"]).swap(structure->mass);
-  read_matrix(system["stiffness"], structure->mass.rows()).swap(structure->stiffness);
-  if (!is_symmetric(structure->stiffness))
-    system["stiffness"].refuse("unsymmetric matrix",
-                               "must be symmetric to 1e-12 of its largest entry: a skew part is circulatory");
-  read_matrix_damping(system, *structure).swap(structure->damping);
-  add_skew_matrix(system["gyroscopic"], structure->damping);
-  add_skew_matrix(system["circulatory"], structure->stiffness);
+  files.read("mass").swap(structure->mass);
+  require_symmetric(system, "mass", structure->mass, "");
+  files.read("stiffness", structure->mass.rows()).swap(structure->stiffness);
+  require_symmetric(system, "stiffness", structure->stiffness, "; what is meant is a circulatory matrix");
+  read_matrix_damping(system, *structure, files).swap(structure->damping);
+  add_skew_matrix(system, "gyroscopic", files, structure->damping);
+  add_skew_matrix(system, "circulatory", files, structure->stiffness);
+  std::vector<std::string> notices = files.take_notices();
+  std::vector<int> held = hold_supports(*structure, notices);
   SystemDescription description = independent_of_contacts(std::move(structure));
-  for (const char* key : {"mass", "damping", "stiffness", "gyroscopic", "circulatory"}) {
+  description.held = std::move(held);
+  description.notices = std::move(notices);
+  for (const char* key : kMatrixKeys) {
     const SceneField matrix = system[key];
     if (matrix.given()) description.files.push_back(file_beside(matrix, matrix.text("must be a file")));
   }

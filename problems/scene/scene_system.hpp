@@ -29,6 +29,8 @@ struct SystemDescription {
   SystemLayout layout = {};  ///< the model; contacts and loads may name faces of a block, groups of a mesh
   Definiteness definiteness = Definiteness::to_be_checked;  ///< whether M and K are known to be definite
   std::vector<std::filesystem::path> files = {};            ///< of matrices or a mesh, that it was read from
+  std::vector<int> held = {};  ///< coordinates at rest, which loads do not move: supports by penalty
+  std::vector<std::string> notices = {};  ///< what the readers of its files decided, a line each
   /// The matrices, given the coordinates that contacts touch.
   /// \throws InvalidProblem if contacts there and the system do not go together
   std::function<std::shared_ptr<const Structure>(const std::vector<int>& contact_coordinates)> assemble = {};
@@ -88,6 +90,13 @@ ModalDamping read_modal(const SceneField& modal, int size);
 
 /// alpha and beta of a table, 0 where absent. \throws SceneError
 ProportionalDamping read_rayleigh(const SceneField& rayleigh);
+
+/// The frequency of a table: `frequency_hz` where that is given, else `frequency`. \throws SceneError for
+/// both
+SceneField frequency_field(const SceneField& table);
+
+/// Its value [rad/s], 2 pi times what is given in Hz. \throws SceneError for anything but a positive number
+double read_frequency(const SceneField& table);
 
 /// The field of the document that a matrix path of validate() ("system.mass") stands for in a system of its
 /// kind; other paths as they are.

@@ -26,7 +26,7 @@
 #include "harness/sweep/branch_response.hpp"
 #include "problems/assembly/solid.hpp"
 #include "problems/files/gmsh_mesh.hpp"
-#include "problems/files/matrix_market.hpp"
+#include "problems/files/matrices/matrix_file.hpp"
 #include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_family.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -123,11 +123,11 @@ std::string market_file(const SparseMatrix& matrix) {
 bool attack_matrix(std::string_view text) {
   constexpr Eigen::Index kMany = 100000;  // rows, of which a short file may promise millions
   try {
-    const SparseMatrix matrix = read_matrix_market(text, "attack.mtx");
+    const SparseMatrix matrix = read_matrix_file(text, "attack.mtx").matrix;
     require(matrix.rows() == matrix.cols() && matrix.rows() >= 1, "the matrix is square");
     require_finite(matrix);
     if (matrix.rows() > kMany) return true;
-    const SparseMatrix again = read_matrix_market(market_file(matrix), "again.mtx");
+    const SparseMatrix again = read_matrix_market(market_file(matrix), "again.mtx").matrix;
     require(again.rows() == matrix.rows() && again.nonZeros() == matrix.nonZeros() &&
                 SparseMatrix(again - matrix).norm() == 0.0,
             "a matrix that is written reads the same");

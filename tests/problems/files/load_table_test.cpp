@@ -69,6 +69,22 @@ TEST(ParseLoadTable, ReadsValuesWithAndWithoutInstants) {
   EXPECT_EQ(parse_load_table("1\n-2.5\n+3e2\n0\n", "f", 4.0), expected);
   EXPECT_EQ(parse_load_table("# measured\nt [s], f [N]\n0, 1\n1, -2.5\n\n2; 3e2\r\n3\t0", "f", 4.0),
             expected);
+  EXPECT_EQ(parse_load_table("\xEF\xBB\xBF"
+                             "1\n-2.5\n3e2\n0\n",
+                             "f", 4.0),
+            expected)
+      << "a byte order mark";
+}
+
+TEST(ParseLoadTable, NamesCommonMistakes) {
+  EXPECT_EQ(refusal("0;1,5\n1;2,5\n2;1,0\n"),
+            "f.csv:1: columns = 3 (must be 1, the samples, or 2, instants [s] and samples, in every line; a "
+            "decimal comma: write a point, as in 1.5)");
+  EXPECT_EQ(refusal("\xE2\x88\x92"
+                    "1.5\n2\n3\n"),
+            "f.csv:1: value = \"\xE2\x88\x92"
+            "1.5\" (must be a finite number; the minus sign is one of a text "
+            "processor: write -)");
 }
 
 TEST(ParseLoadTable, RefusesWhatIsNoTableOfThePeriod) {

@@ -189,7 +189,7 @@ inline constexpr Malformed kMalformed[] = {
     {"SubharmonicBeyondInt", kOscillator, 12, "subharmonic = 4294967297",
      "12: forcing.subharmonic = 4294967297 (must be a whole number)"},
     {"UnknownForcingKey", kOscillator, 12, "phase = 0.0",
-     "12: forcing.phase = 0 (unknown key; known: frequency, subharmonic, term, unbalance)"},
+     "12: forcing.phase = 0 (unknown key; known: frequency, frequency_hz, subharmonic, term, unbalance)"},
     {"TermAsTable", kOscillator, 13, "[forcing.term]",
      "13: forcing.term = {dof = 0, harmonic = 1, cos = 1, sin = 0} (must be [[forcing.term]] tables; left "
      "out if there "
@@ -201,7 +201,24 @@ inline constexpr Malformed kMalformed[] = {
     {"TermDofNegative", kOscillator, 14, "dof = -1",
      "14: forcing.term[0].dof = -1 (must be a coordinate of the system, 0..0)"},
     {"TermDofBroken", kOscillator, 14, "dof = 0.0",
-     "14: forcing.term[0].dof = 0 (must be a coordinate of the system, 0..0)"},
+     "14: forcing.term[0].dof = 0.0 (must be a coordinate of the system, 0..0: 0, without a decimal point)"},
+    {"DecimalComma", kOscillator, 20, "gap = 0,2",
+     "20: file = not TOML (must be valid TOML 1.0; Error while parsing key-value pair: expected a comment or "
+     "whitespace, saw ','; a decimal comma: write a point, as in 1.5)"},
+    {"DecimalCommaInline", kOscillator, 17, "x = { gap = 0,2 }",
+     "17: file = not TOML (must be valid TOML 1.0; Error while parsing key-value pair: expected '=', saw "
+     "'}'; a decimal comma: write a point, as in 1.5)"},
+    {"MinusOfATextProcessor", kOscillator, 20,
+     "gap = \xE2\x88\x92"
+     "0.2",
+     "20: file = not TOML (must be valid TOML 1.0; Error while parsing value: could not determine value "
+     "type; the minus sign is one of a text processor: write -)"},
+    {"LawInAContact", kOscillator, 20, "gap = 0.2\nlaw = { restitution = 0.5 }",
+     "21: contact[0].law = {restitution = 0.5} (must stand in a table [law] of its own, one for all "
+     "contacts: "
+     "what follows a line [[contact]] belongs to that contact)"},
+    {"TwoFrequencies", kOscillator, 11, "frequency = 1.0\nfrequency_hz = 0.2",
+     "12: forcing.frequency_hz = 0.2 (must be absent: frequency is given)"},
     {"HarmonicNegative", kOscillator, 15, "harmonic = -1",
      "15: forcing.term[0].harmonic = -1 (must be a whole number, 0..10000)"},
     {"HarmonicAbsurd", kOscillator, 15, "harmonic = 10001",
@@ -210,7 +227,7 @@ inline constexpr Malformed kMalformed[] = {
      "16: forcing.term[0].cos = nan (must be a finite number)"},
     {"UnknownTermKey", kOscillator, 17, "phase = 0.5",
      "17: forcing.term[0].phase = 0.5 (unknown key; known: dof, face, group, direction, harmonic, "
-     "frequency, cos, sin, omega_power, samples, file, harmonics)"},
+     "frequency, frequency_hz, cos, sin, omega_power, samples, file, harmonics)"},
     // Contacts
     {"ContactAsTable", kOscillator, 18, "[contact]",
      "18: contact = {dof = 0, gap = 0.2} (must be [[contact]] tables; left out if there is none)"},

@@ -1,22 +1,24 @@
-#include "problems/files/matrix_market.hpp"
+#include "problems/files/matrices/matrix_market.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <functional>
 #include <iomanip>
+#include <numbers>
 #include <random>
 #include <sstream>
 
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/damping.hpp"
 #include "problems/scene/scene_file.hpp"
+#include "problems/scene/scene_layout.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::test::matrix_market_test {
 namespace {
 
-SparseMatrix read(const std::string& text) { return read_matrix_market(text, "A.mtx"); }
+SparseMatrix read(const std::string& text) { return read_matrix_market(text, "A.mtx").matrix; }
 
 std::string complaint(const std::function<void()>& action) {
   try {
@@ -76,17 +78,49 @@ TEST(ReadMatrixMarket, TakesWhatOtherProgramsWrite) {
   EXPECT_EQ(A.nonZeros(), 4) << "stored zeros are dropped";
 }
 
+TEST(ReadMatrixMarket, TakesTheOtherTriangleFortranNumbersAndAByteOrderMark) {
+  Eigen::Matrix2d K, G;
+  K << 2, -1, -1, 200;
+  G << 0, -0.3, 0.3, 0;
+  EXPECT_EQ(Eigen::Matrix2d(read("%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2.0\n"
+                                 "1 2 -1.0\n2 2 200\n")),
+            K);
+  EXPECT_EQ(Eigen::Matrix2d(read("\xEF\xBB\xBF%%MatrixMarket matrix array double general\n2 2\n2.0D+00\n"
+                                 "-1.0d0\n-10.0D-1\n2.0+2\n")),
+            K);
+  const std::string skew = "%%MatrixMarket matrix coordinate real skew-symmetric\n2 2 1\n";
+  EXPECT_EQ(Eigen::Matrix2d(read(skew + "2 1 0.3\n")), G);
+  EXPECT_EQ(Eigen::Matrix2d(read(skew + "1 2 -0.3\n")), G);
+  EXPECT_EQ(Eigen::Matrix2d(read("%%MatrixMarket matrix array real skew-symmetric\n%\n2 2\n0.3\n")), G);
+}
+
+TEST(ReadMatrixMarket, SumsWhatIsGivenTwiceAndSaysSo) {
+  const MatrixFile file = read_matrix_market(
+      "%%MatrixMarket matrix coordinate real symmetric\n2 2 5\n1 1 1.5\n2 1 -1\n2 2 2\n1 1 0.25\n1 1 0.25\n",
+      "K.mtx");
+  Eigen::Matrix2d K;
+  K << 2, -1, -1, 2;
+  EXPECT_EQ(Eigen::Matrix2d(file.matrix), K);
+  EXPECT_EQ(file.notices,
+            std::vector<std::string>{"K.mtx: 2 entries are summed onto others at the same place, "
+                                     "the first at row 1, column 1 (lines 3 and 6)"});
+}
+
 TEST(ReadMatrixMarket, RefusesMalformedFilesInOneLine) {
   const std::string general = "%%MatrixMarket matrix coordinate real general\n";
   const std::string header =
-      "must be %%MatrixMarket matrix, coordinate or array, real or integer, general or symmetric";
+      "must be %%MatrixMarket matrix, coordinate or array, real, double or integer, general, symmetric or "
+      "skew-symmetric";
   const std::pair<std::string, std::string> cases[] = {
       {"", "1: header = missing (" + header + ")"},
-      {"3 3 0\n", "1: header = \"3 3 0\" (" + header + ")"},
+      {"3 3 0\n", "1: header = \"3 3 0\" (" + header +
+                      "; a list of row, column and value lacks that line and one of rows, columns and number "
+                      "of entries before it)"},
       {"%%MatrixMarket matrix coordinate complex general\n1 1 0\n",
-       "1: header = \"%%MatrixMarket matrix coordinate complex general\" (" + header + ")"},
-      {"%%MatrixMarket matrix coordinate real skew-symmetric\n1 1 0\n",
-       "1: header = \"%%MatrixMarket matrix coordinate real skew-symmetric\" (" + header + ")"},
+       "1: header = \"%%MatrixMarket matrix coordinate complex general\" (must be real: a motion in time has "
+       "no complex stiffness; write the real part, and structural damping as a damping matrix or as modal)"},
+      {"%%MatrixMarket matrix coordinate pattern general\n1 1 0\n",
+       "1: header = \"%%MatrixMarket matrix coordinate pattern general\" (" + header + ")"},
       {"%%MatrixMarket vector array real general\n",
        "1: header = \"%%MatrixMarket vector array real general\" (" + header + ")"},
       {general, "1: size = missing (must be rows, columns and number of entries, three numbers)"},
@@ -96,8 +130,8 @@ TEST(ReadMatrixMarket, RefusesMalformedFilesInOneLine) {
        "2: size = \"2 two 1\" (must be rows, columns and number of entries, three numbers)"},
       {general + "2 3 1\n", "2: size = \"2 3 1\" (must be square, of 1..10000000 rows)"},
       {general + "0 0 0\n", "2: size = \"0 0 0\" (must be square, of 1..10000000 rows)"},
-      {general + "2 2 5\n", "2: size = \"2 2 5\" (must promise 0..4 entries)"},
-      {general + "2 2 -1\n", "2: size = \"2 2 -1\" (must promise 0..4 entries)"},
+      {general + "2 2 5\n", "2: file = 0 entries (must hold 5)"},
+      {general + "2 2 -1\n", "2: size = \"2 2 -1\" (must promise 0 entries or more)"},
       {general + "9000000 9000000 80000000000000\n1 1 1\n",
        "2: size = \"9000000 9000000 80000000000000\" (must make at most 20000000 entries, both triangles of "
        "a "
@@ -116,11 +150,19 @@ TEST(ReadMatrixMarket, RefusesMalformedFilesInOneLine) {
       {general + "2 2 1\n1.5 1 1.0\n", "3: entry = \"1.5 1 1.0\" (row must be in 1..2)"},
       {general + "2 2 1\n1 1 nan\n", "3: entry = \"1 1 nan\" (value must be a finite number)"},
       {general + "2 2 1\n1 1 1e999\n", "3: entry = \"1 1 1e999\" (value must be a finite number)"},
-      {general + "2 2 1\n1 1 1,5\n", "3: entry = \"1 1 1,5\" (value must be a finite number)"},
-      {general + "2 2 2\n1 1 1.0\n1 1 2.0\n",
-       "4: entry = row 1, column 1 (must be given once; it stands in line 3 already)"},
-      {"%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 2 1.0\n",
-       "3: entry = \"1 2 1.0\" (must be on or below the diagonal: the matrix is symmetric)"},
+      {general + "2 2 1\n1 1 1,5\n",
+       "3: entry = \"1 1 1,5\" (value must be a finite number; a decimal comma: write a point, as in 1.5)"},
+      {general + "2 2 1\n1 1 \xE2\x88\x92"
+                 "1.5\n",
+       "3: entry = \"1 1 \xE2\x88\x92"
+       "1.5\" (value must be a finite number; the minus sign is one of a text "
+       "processor: write -)"},
+      {general + "2 2 2\n1 1 1e308\n1 1 1e308\n", "4: entry = row 1, column 1 (must have a finite sum)"},
+      {"%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n2 1 1.0\n1 2 1.0\n",
+       "4: entry = row 2, column 1 (must be in one triangle: the header says that the other follows from it, "
+       "and line 3 has the other; where both are meant, the header says general)"},
+      {"%%MatrixMarket matrix coordinate real skew-symmetric\n2 2 1\n2 2 1.0\n",
+       "3: entry = row 2, column 2 (must be 0: the header says skew-symmetric)"},
       {"%%MatrixMarket matrix coordinate integer general\n2 2 1\n1 1 1.5\n",
        "3: entry = \"1 1 1.5\" (value must be a whole number)"},
       {"%%MatrixMarket matrix array real general\n2 2\n1\n2\n3 4\n",
@@ -218,28 +260,23 @@ TEST_F(MatrixScene, TakesDampingModelsInsteadOfAFile) {
 
 TEST_F(MatrixScene, IsRefusedInOneLineThatNamesTheCulprit) {
   EXPECT_EQ(refusal(5, ""),
-            "scene.toml:3: system.mass = missing (must be the name of a Matrix Market file, relative to the "
+            "scene.toml:3: system.mass = missing (must be the name of a file of a matrix, relative to the "
             "scene's folder)");
-  EXPECT_EQ(
-      refusal(5, "mass = 1.0"),
-      "scene.toml:5: system.mass = 1 (must be the name of a Matrix Market file, relative to the scene's "
-      "folder)");
-  EXPECT_EQ(
-      refusal(5, "mass = \"model\""),
-      "scene.toml:5: system.mass = \"model\" (must be the name of a Matrix Market file, relative to the "
-      "scene's folder; it is a folder)");
-  EXPECT_EQ(
-      refusal(5, "mass = \"M.mtx\""),
-      "scene.toml:5: system.mass = \"M.mtx\" (must be the name of a Matrix Market file, relative to the "
-      "scene's folder; it is missing)");
-  EXPECT_EQ(
-      refusal(7, ""),
-      "scene.toml:3: system.damping = missing (must be the name of a Matrix Market file, relative to the "
-      "scene's folder)");
-  EXPECT_EQ(
-      refusal(7, "damping = { alpha = 0.1 }"),
-      "scene.toml:7: system.damping = {alpha = 0.1} (must be the name of a Matrix Market file, relative "
-      "to the scene's folder)");
+  EXPECT_EQ(refusal(5, "mass = 1.0"),
+            "scene.toml:5: system.mass = 1 (must be the name of a file of a matrix, relative to the scene's "
+            "folder)");
+  EXPECT_EQ(refusal(5, "mass = \"model\""),
+            "scene.toml:5: system.mass = \"model\" (must be the name of a file of a matrix, relative to the "
+            "scene's folder; it is a folder)");
+  EXPECT_EQ(refusal(5, "mass = \"M.mtx\""),
+            "scene.toml:5: system.mass = \"M.mtx\" (must be the name of a file of a matrix, relative to the "
+            "scene's folder; it is missing)");
+  EXPECT_EQ(refusal(7, ""),
+            "scene.toml:3: system.damping = missing (must be the name of a file; or give modal or rayleigh "
+            "instead)");
+  EXPECT_EQ(refusal(7, "damping = { alpha = 0.1 }"),
+            "scene.toml:7: system.damping = {alpha = 0.1} (must be the name of a file of a matrix, relative "
+            "to the scene's folder)");
   EXPECT_EQ(refusal(7, "rayleigh = {}"),
             "scene.toml:7: system.rayleigh = {} (must be { alpha = .., beta = .. })");
   EXPECT_EQ(refusal(7, "rayleigh = { alpha = 1.0 }\nmodal = 0.1"),
@@ -250,7 +287,7 @@ TEST_F(MatrixScene, IsRefusedInOneLineThatNamesTheCulprit) {
             "scene.toml:7: system.modal = \"small\" (must be a damping ratio >= 0 [-], or a list of them)");
   EXPECT_EQ(refusal(7, "young = 1.0"),
             "scene.toml:7: system.young = 1 (unknown key; known: kind, mass, damping, rayleigh, modal, "
-            "stiffness, gyroscopic, circulatory)");
+            "stiffness, gyroscopic, circulatory, symmetric_part)");
 }
 
 TEST_F(MatrixScene, IsRefusedForMatricesThatAreNoStructure) {
@@ -266,7 +303,8 @@ TEST_F(MatrixScene, IsRefusedForMatricesThatAreNoStructure) {
   write("skew.mtx", written(K, true, false));
   EXPECT_EQ(refusal(6, "stiffness = \"skew.mtx\""),
             "scene.toml:6: system.stiffness = unsymmetric matrix (must be symmetric to 1e-12 of its largest "
-            "entry: a skew part is circulatory)");
+            "entry; a_ij - a_ji is up to 0.0015 of it: symmetric_part = [\"stiffness\"] drops that; what is "
+            "meant is a circulatory matrix)");
   for (const std::string key : {"gyroscopic", "circulatory"}) {
     EXPECT_EQ(refusal(7, "rayleigh = { alpha = 0.1 }\n" + key + " = \"skew.mtx\""),
               "scene.toml:8: system." + key +
@@ -274,6 +312,59 @@ TEST_F(MatrixScene, IsRefusedForMatricesThatAreNoStructure) {
   }
   write("model/K.mtx", "%%MatrixMarket matrix coordinate real symmetric\n6 6 1\n7 1 1.0\n");
   EXPECT_EQ(refusal(0, ""), "model/K.mtx:3: entry = \"7 1 1.0\" (row must be in 1..6)");
+}
+
+constexpr std::string_view kTwoMasses = R"(schema = 1
+name = "matrices"
+[system]
+kind = "matrices"
+mass = "M.mtx"
+stiffness = "K.mtx"
+modal = 0.1
+[forcing]
+frequency_hz = 0.5
+term = [{ dof = 1, cos = 1.0 }]
+)";
+
+TEST_F(MatrixScene, TakesTheSymmetricPartOnRequestAndSaysWhatIsDropped) {
+  write("M.mtx", written(Eigen::Matrix2d::Identity(), true, true));
+  write("K.mtx", "%%MatrixMarket matrix coordinate real general\n2 2 4\n1 1 2\n1 2 -1.5\n2 1 -0.5\n2 2 2\n");
+  std::string text(kTwoMasses);
+  text.insert(text.find("modal"), "symmetric_part = [\"stiffness\"]\n");
+  const std::filesystem::path file = folder_.write("a.toml", text);
+  const Problem problem = load_scene(file);
+  Eigen::Matrix2d K;
+  K << 2, -1, -1, 2;
+  EXPECT_EQ(Eigen::Matrix2d(problem.stiffness()), K);
+  EXPECT_EQ(load_notices(file),
+            std::vector<std::string>{"stiffness: its symmetric part; dropped are skew entries "
+                                     "up to 0.5, 0.25 of the largest entry"});
+  EXPECT_DOUBLE_EQ(problem.frequency, std::numbers::pi);
+}
+
+// A coordinate with a penalty is at rest: K and M of the others alone. One of rounding has no mass.
+TEST_F(MatrixScene, HoldsSupportsByPenaltyAndDropsRounding) {
+  write("M.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 3\n1 1 1\n2 2 1\n3 3 1\n");
+  write("K.mtx",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 3 5\n1 1 1e20\n2 1 -1\n2 2 3\n3 2 -1\n3 3 2\n");
+  const std::filesystem::path file = folder_.write("a.toml", kTwoMasses);
+  const Problem held = load_scene(file);
+  Eigen::Matrix3d K, M;
+  K << 3, 0, 0, 0, 3, -1, 0, -1, 2;
+  M << 0, 0, 0, 0, 1, 0, 0, 0, 1;
+  EXPECT_EQ(Eigen::Matrix3d(held.stiffness()), K);
+  EXPECT_EQ(Eigen::Matrix3d(held.mass()), M);
+  EXPECT_EQ(Eigen::Matrix3d(held.damping()).row(0).norm(), 0.0);
+  ASSERT_EQ(load_notices(file).size(), 1U);
+  EXPECT_TRUE(load_notices(file)[0].starts_with("stiffness: 1e+20 N/m at coordinate 0, "))
+      << load_notices(file)[0];
+
+  write("M.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 3\n1 1 -1e-17\n2 2 1\n3 3 1\n");
+  write("K.mtx",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 3 5\n1 1 2\n2 1 -1\n2 2 3\n3 2 -1\n3 3 2\n");
+  EXPECT_EQ(Eigen::Matrix3d(load_scene(file).mass()), M);
+  EXPECT_EQ(load_notices(file),
+            std::vector<std::string>{"mass: -1e-17 at coordinate 0 is rounding and taken as 0"});
 }
 
 TEST_F(MatrixScene, LeavesComplaintsToValidationWhereThereAreNoModes) {

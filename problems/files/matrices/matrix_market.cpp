@@ -1,38 +1,35 @@
-#include "problems/files/matrix_market.hpp"
+#include "problems/files/matrices/matrix_market.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
-#include <optional>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "problems/files/text_lines.hpp"
-#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 
 namespace {
 
 constexpr std::string_view kHeader =
-    "must be %%MatrixMarket matrix, coordinate or array, real or integer, general or symmetric";
+    "must be %%MatrixMarket matrix, coordinate or array, real, double or integer, general, symmetric or "
+    "skew-symmetric";
+constexpr std::string_view kComplexHeader =
+    "must be real: a motion in time has no complex stiffness; write the real part, and structural damping as "
+    "a "
+    "damping matrix or as modal";
 constexpr std::size_t kReservedAtMost = std::size_t{1} << 20U;  // entries; the file may promise anything
-
-struct Entry {
-  int row = 0;
-  int column = 0;
-  double value = 0.0;
-  int line = 0;
-};
 
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : lines_(text, name) {}
 
-  SparseMatrix read() {
+  MatrixFile read() {
     read_header();
     read_size();
     entries_.reserve(std::min(static_cast<std::size_t>(expected_), kReservedAtMost));
@@ -43,7 +40,7 @@ class Reader {
     }
     if (next_line())
       lines_.refuse("entry", fmt::format("must be absent: the file holds {} entries", expected_));
-    return assemble();
+    return assemble_matrix(lines_, size_, std::move(entries_), symmetry_);
   }
 
  private:
@@ -61,16 +58,27 @@ class Reader {
     std::transform(lower.begin(), lower.end(), lower.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const std::vector<std::string_view> header = words_of(lower);
-    const auto is = [&](std::size_t i, std::string_view one, std::string_view other) {
-      return header[i] == one || header[i] == other;
+    const auto one_of = [&](std::size_t i, std::initializer_list<std::string_view> known) {
+      return std::ranges::find(known, header[i]) != known.end();
     };
+    if (number_of<double>(header[0]) || header[0].find(',') != std::string_view::npos)
+      lines_.refuse("header",
+                    fmt::format("{}; a list of row, column and value lacks that line and one of rows, "
+                                "columns and number of entries before it",
+                                kHeader));
+    if (header.size() == 5 && header[3] == "complex") lines_.refuse("header", kComplexHeader);
     if (header.size() != 5 || header[0] != "%%matrixmarket" || header[1] != "matrix" ||
-        !is(2, "coordinate", "array") || !is(3, "real", "integer") || !is(4, "general", "symmetric")) {
+        !one_of(2, {"coordinate", "array"}) ||
+        !one_of(3, {"real", "double", "integer", "unsigned-integer"}) ||
+        !one_of(4, {"general", "symmetric", "hermitian", "skew-symmetric"})) {
       lines_.refuse("header", kHeader);
     }
     coordinate_ = header[2] == "coordinate";
-    integer_ = header[3] == "integer";
-    symmetric_ = header[4] == "symmetric";
+    integer_ = header[3].ends_with("integer");
+    symmetry_ = header[4] == "general"          ? Symmetry::general
+                : header[4] == "skew-symmetric" ? Symmetry::skew
+                                                : Symmetry::symmetric;
+    row_ = symmetry_ == Symmetry::skew ? 1 : 0;
   }
 
   void read_size() {
@@ -85,28 +93,18 @@ class Reader {
       if (!number) lines_.refuse("size", required);
       numbers.push_back(*number);
     }
-    if (numbers[0] < 1 || numbers[0] > kMostMatrixRows || numbers[1] != numbers[0]) {
-      lines_.refuse("size", fmt::format("must be square, of 1..{} rows", kMostMatrixRows));
-    }
-    size_ = static_cast<int>(numbers[0]);
-    const std::int64_t n = numbers[0];
-    const std::int64_t most = symmetric_ ? n * (n + 1) / 2 : n * n;
-    expected_ = coordinate_ ? numbers[2] : most;
-    if (expected_ < 0 || expected_ > most) {
-      lines_.refuse("size", fmt::format("must promise 0..{} entries", most));
-    }
-    if (expected_ > (symmetric_ ? (kMostMatrixEntries + n) / 2 : kMostMatrixEntries)) {
-      lines_.refuse("size",
-                    fmt::format("must make at most {} entries, both triangles of a symmetric matrix counted",
-                                kMostMatrixEntries));
-    }
+    size_ = matrix_size(lines_, numbers[0], numbers[1]);
+    const std::int64_t n = size_;
+    const std::int64_t whole = symmetry_ == Symmetry::general     ? n * n
+                               : symmetry_ == Symmetry::symmetric ? n * (n + 1) / 2
+                                                                  : n * (n - 1) / 2;
+    expected_ = coordinate_ ? numbers[2] : whole;
+    require_entry_count(lines_, expected_, size_, symmetry_);
   }
 
   double value_of(std::string_view word) const {
     if (integer_ && !number_of<std::int64_t>(word)) lines_.refuse("entry", "value must be a whole number");
-    const auto value = number_of<double>(word);
-    if (!value || !std::isfinite(*value)) lines_.refuse("entry", "value must be a finite number");
-    return *value;
+    return matrix_value(lines_, word);
   }
 
   int index_of(std::string_view word, std::string_view what) const {
@@ -121,73 +119,34 @@ class Reader {
     if (lines_.words().size() != 3) lines_.refuse("entry", "must be row, column and value");
     const int row = index_of(lines_.words()[0], "row");
     const int column = index_of(lines_.words()[1], "column");
-    if (symmetric_ && column > row) {
-      lines_.refuse("entry", "must be on or below the diagonal: the matrix is symmetric");
-    }
     entries_.push_back(
         {.row = row, .column = column, .value = value_of(lines_.words()[2]), .line = lines_.number()});
   }
 
-  // Column by column, of a symmetric matrix from the diagonal down.
+  // Column by column, of a symmetric matrix from the diagonal down, of a skew one from below it.
   void read_array_entry() {
     if (lines_.words().size() != 1) lines_.refuse("entry", "must be one value");
     entries_.push_back(
         {.row = row_, .column = column_, .value = value_of(lines_.words()[0]), .line = lines_.number()});
     if (++row_ < size_) return;
     ++column_;
-    row_ = symmetric_ ? column_ : 0;
-  }
-
-  // Most files are in this order already.
-  void sort_entries() {
-    const auto before = [](const Entry& a, const Entry& b) { return place(a) < place(b); };
-    if (!std::is_sorted(entries_.begin(), entries_.end(), before))
-      std::stable_sort(entries_.begin(), entries_.end(), before);
-  }
-
-  static std::pair<int, int> place(const Entry& entry) { return {entry.column, entry.row}; }
-
-  void refuse_repetition() const {
-    const auto twin = std::adjacent_find(entries_.begin(), entries_.end(),
-                                         [](const Entry& a, const Entry& b) { return place(a) == place(b); });
-    if (twin == entries_.end()) return;
-    lines_.refuse("entry", fmt::format("row {}, column {}", twin->row + 1, twin->column + 1),
-                  fmt::format("must be given once; it stands in line {} already", twin->line),
-                  std::next(twin)->line);
-  }
-
-  SparseMatrix assemble() {
-    sort_entries();
-    refuse_repetition();
-    SparseMatrix given(size_, size_);
-    given.reserve(std::ssize(entries_));
-    auto entry = entries_.begin();
-    for (int column = 0; column < size_; ++column) {
-      given.startVec(column);
-      for (; entry != entries_.end() && entry->column == column; ++entry) {
-        if (entry->value != 0.0) given.insertBackByOuterInner(column, entry->row) = entry->value;
-      }
-    }
-    given.finalize();
-    if (!symmetric_) return given;
-    entries_ = {};
-    return given.selfadjointView<Eigen::Lower>();
+    row_ = symmetry_ == Symmetry::general ? 0 : symmetry_ == Symmetry::symmetric ? column_ : column_ + 1;
   }
 
   TextLines lines_;
   bool coordinate_ = true;
   bool integer_ = false;
-  bool symmetric_ = false;
+  Symmetry symmetry_ = Symmetry::general;
   int size_ = 0;
   std::int64_t expected_ = 0;  // entries in the file
   int row_ = 0;                // of the next array entry
   int column_ = 0;
-  std::vector<Entry> entries_;
+  std::vector<MatrixEntry> entries_;
 };
 
 }  // namespace
 
-SparseMatrix read_matrix_market(std::string_view text, const std::string& name) {
+MatrixFile read_matrix_market(std::string_view text, const std::string& name) {
   return Reader(text, name).read();
 }
 

@@ -1,0 +1,44 @@
+#include "problems/files/matrices/matrix_file.hpp"
+
+#include "problems/files/matrices/harwell_boeing.hpp"
+#include "problems/files/matrices/matrix_market.hpp"
+
+namespace signorini {
+
+namespace {
+
+enum class MatrixFormat { matrix_market, abaqus, harwell_boeing };
+
+// Matrix Market, whose reader says what is required, for what is none of these.
+MatrixFormat format_of_matrix(std::string_view text, const std::string& name) {
+  TextLines lines(text, name);
+  while (lines.next()) {
+    if (lines.words()[0].starts_with("**")) continue;
+    if (is_abaqus_entry(lines.line())) return MatrixFormat::abaqus;
+    break;
+  }
+  return is_harwell_boeing(text, name) ? MatrixFormat::harwell_boeing : MatrixFormat::matrix_market;
+}
+
+}  // namespace
+
+NodeDofs coordinates_of_matrix_file(std::string_view text, const std::string& name) {
+  return format_of_matrix(text, name) == MatrixFormat::abaqus ? abaqus_coordinates(text, name) : NodeDofs{};
+}
+
+MatrixFile read_matrix_file(std::string_view text, const std::string& name, const NodeDofs& coordinates) {
+  switch (format_of_matrix(text, name)) {
+    case MatrixFormat::abaqus: {
+      NodeDofs all = abaqus_coordinates(text, name);
+      all.insert(coordinates.begin(), coordinates.end());
+      return read_abaqus_matrix(text, name, all);
+    }
+    case MatrixFormat::harwell_boeing:
+      return read_harwell_boeing(text, name);
+    case MatrixFormat::matrix_market:
+      break;
+  }
+  return read_matrix_market(text, name);
+}
+
+}  // namespace signorini
