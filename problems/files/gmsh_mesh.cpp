@@ -75,13 +75,37 @@ std::string_view between_quotes(std::string_view text) {
   return first == last ? std::string_view() : text.substr(first + 1, last - first - 1);
 }
 
-[[noreturn]] void refuse_shape(const TextLines& lines, int dimension) {
+// What a type of elements that is not read is, and how Gmsh makes others: to end a message with.
+std::string unread_shape(std::int64_t type) {
+  constexpr std::string_view kPrisms =
+      "without Recombine and layers of prisms, Gmsh makes tetrahedra of the volume";
+  constexpr std::string_view kIncomplete = "Mesh.SecondOrderIncomplete = 0 makes complete ones";
+  struct Unread {
+    std::int64_t type;
+    std::string_view name, cure;
+  };
+  constexpr std::array<Unread, 8> kUnread{{{6, "prisms of 6 nodes", kPrisms},
+                                           {13, "prisms of 18 nodes", kPrisms},
+                                           {18, "prisms of 15 nodes", kPrisms},
+                                           {7, "pyramids of 5 nodes", kPrisms},
+                                           {14, "pyramids of 14 nodes", kPrisms},
+                                           {19, "pyramids of 13 nodes", kPrisms},
+                                           {16, "quadrangles of 8 nodes", kIncomplete},
+                                           {17, "hexahedra of 20 nodes", kIncomplete}}};
+  const auto* const found = std::ranges::find(kUnread, type, &Unread::type);
+  if (found != kUnread.end()) return fmt::format("; {} are {}: {}", type, found->name, found->cure);
+  return shape_of_gmsh_type(static_cast<int>(type)) != nullptr ? ""
+                                                               : "; gmsh -order 2 makes the second degree";
+}
+
+[[noreturn]] void refuse_shape(const TextLines& lines, int dimension, std::int64_t type) {
   std::string known;
   for (const ElementShape& shape : element_shapes()) {
     if (shape.dimension == dimension)
       known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", shape.gmsh, shape.name);
   }
-  lines.refuse("block of elements", fmt::format("word 3, the type of elements, must be one of {}", known));
+  lines.refuse("block of elements",
+               fmt::format("word 3, the type of elements, must be one of {}{}", known, unread_shape(type)));
 }
 
 void append(const ElementList& elements, MeshGroup& group) {
@@ -90,6 +114,42 @@ void append(const ElementList& elements, MeshGroup& group) {
     group.push_back(elements);
   else
     same->nodes.insert(same->nodes.end(), elements.nodes.begin(), elements.nodes.end());
+}
+
+constexpr Tag kLargestTag = std::int64_t{1} << 31U;
+constexpr Tag kMostBlocks = 1'000'000;
+
+// A line of $Entities or $PartitionedEntities.
+struct EntityLine {
+  Tag tag = 0;
+  Entity parent{-1, 0};  // what a part of a partition is a part of
+  std::vector<Tag> groups = {};
+};
+
+// Its tag, a place (of a point) or a box, a number of groups, their tags, and more that is passed over. Of a
+// part of a partition the parent, a number of partitions and these stand behind the tag.
+EntityLine read_entity(TextLines& lines, int dimension, bool partitioned) {
+  lines.expect("entity", 1);
+  EntityLine entity{.tag = lines.whole(0, "entity", -kLargestTag, kLargestTag)};
+  std::size_t place = dimension == 0 ? 4 : 7;
+  if (partitioned) {
+    place += 3 + static_cast<std::size_t>(lines.whole(3, "entity", 0, kMostBlocks));
+    entity.parent = {static_cast<int>(lines.whole(1, "entity", -1, 3)),
+                     lines.whole(2, "entity", -kLargestTag, kLargestTag)};
+  }
+  const Tag groups = lines.whole(place, "entity", 0, kMostBlocks);
+  for (Tag g = 0; g < groups; ++g)
+    entity.groups.push_back(
+        std::abs(lines.whole(place + 1 + static_cast<std::size_t>(g), "entity", -kLargestTag, kLargestTag)));
+  return entity;
+}
+
+// The head of $PartitionedEntities.
+void pass_over_ghosts(TextLines& lines) {
+  lines.expect("count of partitions", 1);
+  lines.expect("count of ghosts", 1);
+  for (Tag left = lines.whole(0, "count of ghosts", 0, kMostBlocks); left > 0; --left)
+    lines.expect("ghost", 2);
 }
 
 class GmshReader {
@@ -107,7 +167,9 @@ class GmshReader {
       if (section == "$PhysicalNames")
         read_names();
       else if (section == "$Entities")
-        read_entities();
+        read_entities(false);
+      else if (section == "$PartitionedEntities")
+        read_entities(true);
       else if (section == "$Nodes")
         read_nodes();
       else if (section == "$Elements")
@@ -119,9 +181,7 @@ class GmshReader {
   }
 
  private:
-  static constexpr Tag kLargestTag = std::int64_t{1} << 31U;
   static constexpr Tag kMostElements = 20'000'000;
-  static constexpr Tag kMostBlocks = 1'000'000;
   static constexpr std::size_t kMostKept = 200'000'000;  // nodes of elements: 0.8 GB
 
   void end(std::string_view section) {
@@ -161,27 +221,28 @@ class GmshReader {
     end("$EndPhysicalNames");
   }
 
-  // tag, a place (of a point) or a box, a number of groups, their tags, and more that is passed over.
-  void read_entities() {
+  // Of a partition, a part is in the groups of what it is a part of too.
+  void read_entities(bool partitioned) {
+    if (partitioned) pass_over_ghosts(lines_);
     std::array<Tag, 4> counts{};
     lines_.expect("counts of entities", 4);
     for (std::size_t d = 0; d < 4; ++d) counts[d] = lines_.whole(d, "counts of entities", 0, kMostBlocks);
     for (int dimension = 0; dimension < 4; ++dimension) {
-      const std::size_t place = dimension == 0 ? 4 : 7;
       for (Tag i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
-        lines_.expect("entity", place + 1);
-        const Tag tag = lines_.whole(0, "entity", -kLargestTag, kLargestTag);
-        const Tag groups = lines_.whole(place, "entity", 0, kMostBlocks);
-        std::set<std::string_view>& named = groups_of_[{dimension, tag}];
-        for (Tag g = 0; g < groups; ++g) {
-          const Tag group = std::abs(
-              lines_.whole(place + 1 + static_cast<std::size_t>(g), "entity", -kLargestTag, kLargestTag));
-          const auto name = names_.find({dimension, group});
-          if (name != names_.end()) named.insert(name->second);
-        }
+        const EntityLine entity = read_entity(lines_, dimension, partitioned);
+        std::set<std::string_view>& named = groups_of_[{dimension, entity.tag}];
+        const auto parent = groups_of_.find(entity.parent);
+        if (entity.parent.first == dimension && parent != groups_of_.end())
+          named.insert(parent->second.begin(), parent->second.end());
+        for (const Tag group : entity.groups) named.insert(name_of_group(dimension, group));
       }
     }
-    end("$EndEntities");
+    end(partitioned ? "$EndPartitionedEntities" : "$EndEntities");
+  }
+
+  // A group without a name is called by its number.
+  std::string_view name_of_group(int dimension, Tag group) {
+    return names_.try_emplace({dimension, group}, std::to_string(group)).first->second;
   }
 
   void read_nodes() {
@@ -230,12 +291,13 @@ class GmshReader {
   }
 
   void read_block(const Entity& entity, Tag inside) {
-    const ElementShape* shape = shape_of_gmsh_type(
-        static_cast<int>(lines_.whole(2, "block of elements", 1, std::numeric_limits<int>::max())));
+    const Tag type = lines_.whole(2, "block of elements", 1, std::numeric_limits<int>::max());
+    const ElementShape* shape = shape_of_gmsh_type(static_cast<int>(type));
     const auto named = groups_of_.find(entity);
     const bool solid = entity.first == 3;
     const bool kept = solid || (named != groups_of_.end() && !named->second.empty());
-    if (kept && (shape == nullptr || shape->dimension != entity.first)) refuse_shape(lines_, entity.first);
+    if (kept && (shape == nullptr || shape->dimension != entity.first))
+      refuse_shape(lines_, entity.first, type);
     ElementList elements{.shape = shape};
     for (Tag i = 0; i < inside; ++i) {
       lines_.expect("element", 2);

@@ -120,7 +120,7 @@ void expect_the_mesh(const SolidMesh& mesh) {
   EXPECT_EQ(mesh.solids[0].nodes, (std::vector<int>{0, 2, 1, 3, 0, 1, 4, 3}));
   std::vector<std::string> names;
   for (const auto& [name, group] : mesh.groups) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"edge", "foot side", "tip"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"9", "edge", "foot side", "tip"})) << "9 has no name";
   const auto expect_group = [&](const char* name, int type, const std::vector<int>& nodes) {
     const MeshGroup& group = mesh.groups.at(name);
     ASSERT_EQ(group.size(), 1U) << name;
@@ -130,6 +130,7 @@ void expect_the_mesh(const SolidMesh& mesh) {
   expect_group("tip", 15, {3});
   expect_group("edge", 1, {0, 1});
   expect_group("foot side", 2, {0, 1, 2});
+  expect_group("9", 2, {0, 1, 2});
 }
 
 TEST(ReadGmshMesh, HasTheNodesElementsAndGroupsOfTheFile) { expect_the_mesh(read(kMesh)); }
@@ -149,6 +150,19 @@ TEST(ReadGmshMesh, PassesOverOtherSections) {
   expect_the_mesh(
       read(fmt::format("{}$NodeData\n1\n\"T\"\n$EndNodeData\n$Periodic\n0\n$EndPeriodic\n", kMesh)));
   expect_the_mesh(read(without_lines(20, 22)));
+}
+
+// Entities 4 and 5 and the volume are parts of a partition now, of parents whose groups they are in; of the
+// two points of the file one is between the parts, whose group is its own.
+TEST(ReadGmshMesh, ReadsAPartitionAsTheWhole) {
+  std::string text = without_lines(13, 19);
+  const std::string entities =
+      "$Entities\n1 1 1 1\n1 0 0 1 1 7\n2 0 0 0 1 0 0 1 -4 0\n3 0 0 0 1 1 0 2 1 9 0\n1 0 0 0 1 1 1 1 1 0\n"
+      "$EndEntities\n$PartitionedEntities\n2\n1\n77 2\n1 1 1 1\n1 0 1 1 1 0 0 1 0\n"
+      "4 1 2 2 1 2 0 0 0 1 0 0 0 0\n5 2 3 1 1 0 0 0 1 1 0 0 0\n1 3 1 1 2 0 0 0 1 1 1 1 1 0\n"
+      "$EndPartitionedEntities\n";
+  text.replace(text.find("$Entities\n"), 10, entities);
+  expect_the_mesh(read(text));
 }
 
 TEST(ReadGmshMesh, NeedsNeitherNamesNorEntities) {
@@ -256,10 +270,11 @@ TEST(ReadGmshMesh, RefusesMalformedElementsInOneLine) {
   const std::string solids =
       " (word 3, the type of elements, must be one of 4 (tetrahedra of 4 nodes), 11 (tetrahedra of 10 "
       "nodes), 5 "
-      "(hexahedra of 8 nodes), 12 (hexahedra of 27 nodes))";
+      "(hexahedra of 8 nodes), 12 (hexahedra of 27 nodes)";
   const std::string faces =
       " (word 3, the type of elements, must be one of 2 (triangles of 3 nodes), 9 (triangles of 6 nodes), 3 "
-      "(quadrangles of 4 nodes), 10 (quadrangles of 9 nodes))";
+      "(quadrangles of 4 nodes), 10 (quadrangles of 9 nodes)";
+  const std::string complete = ": Mesh.SecondOrderIncomplete = 0 makes complete ones)";
   const std::vector<Malformed> cases{
       {42, "7 6 1 7", "55: block of elements = \"2 6 2 1\" (word 4 must be a whole number in 0..0)"},
       {42, "7 8 1 7", "56: elements = 1 too few (must be as many as their count says)"},
@@ -275,10 +290,18 @@ TEST(ReadGmshMesh, RefusesMalformedElementsInOneLine) {
       {44, "1", "44: element = \"1\" (must have 2 words)"},
       {44, "1 50", ""},
       {44, "1 99", "57: group = tip (node 99 must be one of a solid element)"},
-      {47, "2 5 16 1", "47: block of elements = \"2 5 16 1\"" + faces},
-      {47, "2 5 4 1", "47: block of elements = \"2 5 4 1\"" + faces},
-      {51, "3 1 17 2", "51: block of elements = \"3 1 17 2\"" + solids},
-      {51, "3 1 2 2", "51: block of elements = \"3 1 2 2\"" + solids},
+      {47, "2 5 16 1",
+       "47: block of elements = \"2 5 16 1\"" + faces + "; 16 are quadrangles of 8 nodes" + complete},
+      {47, "2 5 4 1", "47: block of elements = \"2 5 4 1\"" + faces + ")"},
+      {51, "3 1 17 2",
+       "51: block of elements = \"3 1 17 2\"" + solids + "; 17 are hexahedra of 20 nodes" + complete},
+      {51, "3 1 6 2",
+       "51: block of elements = \"3 1 6 2\"" + solids +
+           "; 6 are prisms of 6 nodes: without Recombine and layers of prisms, Gmsh makes tetrahedra of the "
+           "volume)"},
+      {51, "3 1 29 2",
+       "51: block of elements = \"3 1 29 2\"" + solids + "; gmsh -order 2 makes the second degree)"},
+      {51, "3 1 2 2", "51: block of elements = \"3 1 2 2\"" + solids + ")"},
       {51, "3 1 0 2", "51: block of elements = \"3 1 0 2\" (word 3 must be a whole number in 1..2147483647)"},
       {51, "3 1 11 2", "52: element = \"5 10 30 20 40\" (must be its tag and 10 nodes)"},
       {51, "3 1 4 1", "53: block of elements = \"6 10 20 50 40\" (word 1 must be a whole number in 0..3)"},
