@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "harness/schematic/schematic.hpp"
 #include "harness/text/words.hpp"
 #include "methods/catalogue.hpp"
+#include "methods/structure/bases/block_lanczos.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
@@ -24,24 +26,26 @@
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"
 #include "problems/skew_parts.hpp"
+#include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
 
 namespace {
 
-/// Largest number of coordinates for which eigenfrequencies are shown: the eigenproblem is solved dense.
+/// Largest number of coordinates for which all eigenfrequencies are computed: dense.
 constexpr int kMostEigen = 1000;
 constexpr int kMostGyroscopic = 300;
+constexpr double kHertz = 0.5 / std::numbers::pi;  // of 1 rad/s
 constexpr std::size_t kMostShown = 12;
 constexpr std::size_t kMostContacts = 12;
 constexpr std::size_t kShownColumns = 80, kShowIndent = 18, kOptionIndent = 38;
 
 /// "1.2, 3.4, ... (20 in all)"
-std::string first_of(const std::vector<double>& found) {
+std::string first_of(const std::vector<double>& found, const char* form = "{:.6g}") {
   const std::size_t shown = std::min(kMostShown, found.size());
-  std::string text = joined(std::span(found).first(shown), "{:.6g}", ", ");
+  std::string text = joined(std::span(found).first(shown), form, ", ");
   if (shown < found.size()) text += fmt::format(", ... ({} in all)", found.size());
-  return text + " rad/s";
+  return text;
 }
 
 /// Angular frequencies of the damped free motions of a gyroscopic structure, ascending [rad/s]; empty without
@@ -61,28 +65,87 @@ std::vector<double> whirl_frequencies(const Problem& problem) {
   return found;
 }
 
-/// Undamped angular eigenfrequencies, ascending [rad/s], without a skew part of K; a text says why there are
-/// none.
-std::string eigenfrequencies(const Problem& problem) {
-  if (problem.size() > kMostEigen)
-    return fmt::format("not computed for more than {} coordinates", kMostEigen);
+/// Undamped modes, K without its skew part.
+struct ShownModes {
+  std::vector<double> frequencies = {};  ///< ascending [rad/s]
+  std::vector<double> ratios = {};       ///< phi^T D phi / (2 w), phi^T M phi = 1; none of a rigid motion [-]
+  bool few = false;                      ///< whether there are more
+  std::string none = {};                 ///< why there are none
+};
+
+/// A mode of this shape, phi^T M phi = 1, and frequency.
+void add_mode(const Problem& problem, double frequency, const Eigen::VectorXd& shape, bool rigid,
+              ShownModes& modes) {
+  modes.frequencies.push_back(frequency);
+  if (!rigid) modes.ratios.push_back(0.5 * shape.dot(problem.damping() * shape) / frequency);
+}
+
+/// The lowest modes of a large structure, kMostShown of them, by Lanczos' method on (K + s M)^{-1} M, s
+/// small: 1 / mu = w^2 + s. A residual r of a Ritz vector leaves an error of r^2 in its mu.
+ShownModes lowest_modes(const Problem& problem) {
+  constexpr double kMostOperations = 5e10;  // of a factorisation: some seconds
+  constexpr double kShift = 1e-9;           // of the mean square of all frequencies
+  constexpr double kResidual = 1e-6, kRigid = 1e-3;
+  constexpr Eigen::Index kColumns = 4, kMostVectors = 600;
+  const SparseMatrix elastic = symmetric_part(problem.stiffness());
+  const double shift = kShift * elastic.diagonal().sum() / problem.mass().diagonal().sum();
+  const SparseMatrix definite = elastic + shift * problem.mass();
+  if (SparseCholesky::cost_of(definite).operations > kMostOperations)
+    return {.none = "not computed: a factorisation of the stiffness takes more than 5e10 operations"};
+  Eigen::MatrixXd start(problem.size(), kColumns);
+  for (Eigen::Index i = 0; i < start.rows(); ++i)
+    for (Eigen::Index j = 0; j < kColumns; ++j)  // of no symmetry that a structure has
+      start(i, j) = std::cos(static_cast<double>((i + 1) * (i + 3 + 7 * j)));
+  const SparseMatrix start_columns = start.sparseView();
+  BlockLanczos space(definite, problem.mass(), start_columns, kMostVectors);
+  if (!space.definite()) return {.none = "not computed: mass and stiffness are both singular"};
+  for (; !space.exhausted() && space.size() < kMostVectors; space.grow()) {
+    if (space.size() < static_cast<Eigen::Index>(2 * kMostShown)) continue;
+    const RitzPairs pairs = ritz_pairs(space);
+    const Eigen::Index newest = space.coupling().cols();
+    Eigen::Index good = 0;
+    for (Eigen::Index k = pairs.values.size(); k-- > 0 && good < static_cast<Eigen::Index>(kMostShown);) {
+      if ((space.coupling() * pairs.vectors.col(k).tail(newest)).norm() > kResidual * pairs.values(k)) break;
+      ++good;
+    }
+    if (good == static_cast<Eigen::Index>(kMostShown)) break;
+  }
+  const RitzPairs pairs = ritz_pairs(space);
+  ShownModes modes{.few = true};
+  for (Eigen::Index k = pairs.values.size(); k-- > 0 && modes.frequencies.size() < kMostShown;) {
+    if (!(pairs.values(k) > 0.0)) break;
+    const double square = 1.0 / pairs.values(k) - shift;
+    const bool rigid = square <= kRigid * shift;
+    add_mode(problem, std::sqrt(std::max(0.0, rigid ? 0.0 : square)),
+             space.combined(pairs.vectors.col(k)) / std::sqrt(pairs.values(k)), rigid, modes);
+  }
+  return modes;
+}
+
+ShownModes modes_of(const Problem& problem) {
+  if (problem.size() > kMostEigen) return lowest_modes(problem);
+  constexpr double kRounding = 1e-12;  // of the largest square, or inverse square
   const Eigen::MatrixXd mass(problem.mass());
   const Eigen::MatrixXd stiffness(symmetric_part(problem.stiffness()));
-  std::vector<double> found;
-  if (CholeskyFactors(mass).definite()) {
-    for (const double value : generalised_eigenvalues(stiffness, mass))
-      found.push_back(std::sqrt(std::max(0.0, value)));
-  } else if (CholeskyFactors(stiffness).definite()) {
-    // Massless coordinates have no eigenfrequency: of the inverse squares only those above round-off count.
-    const Eigen::VectorXd inverse_squares = generalised_eigenvalues(mass, stiffness);
-    const double largest = inverse_squares.maxCoeff();
-    for (const double value : inverse_squares.reverse()) {
-      if (value > 1e-12 * largest) found.push_back(1.0 / std::sqrt(value));
-    }
-  } else {
-    return "not computed: mass and stiffness are both singular";
+  const bool massive = CholeskyFactors(mass).definite();
+  if (!massive && !CholeskyFactors(stiffness).definite())
+    return {.none = "not computed: mass and stiffness are both singular"};
+  // Massless coordinates have no eigenfrequency: of the inverse squares only those above round-off count.
+  const SymmetricEigen found =
+      massive ? generalised_eigen(stiffness, mass) : generalised_eigen(mass, stiffness);
+  if (!found.converged) return {.none = "not computed: the eigenvalues do not converge"};
+  ShownModes modes;
+  const Eigen::Index count = found.values.size();
+  const double largest = found.values.maxCoeff();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index column = massive ? i : count - 1 - i;
+    const double value = found.values(column);
+    if (!massive && value <= kRounding * largest) continue;
+    const double square = massive ? std::max(0.0, value) : 1.0 / value;
+    add_mode(problem, std::sqrt(square), found.vectors.col(column) * (massive ? 1.0 : std::sqrt(square)),
+             massive && square <= kRounding * largest, modes);
   }
-  return first_of(found);
+  return modes;
 }
 
 /// " + 0.02 cos(2 omega t)" and so on.
@@ -126,23 +189,54 @@ void show_line(const std::string& name, const std::string& text) {
   fmt::print("{}", named_lines(name, kShowIndent, text, kShownColumns));
 }
 
+/// "a to b rad/s (c to d Hz)"
+std::string range_text(double from, double to) {
+  return fmt::format("{:.4g} to {:.4g} rad/s ({:.4g} to {:.4g} Hz)", from, to, from * kHertz, to * kHertz);
+}
+
+/// Where responses bend: from below a mode to the double of its frequency, which a rigid stop that touches at
+/// rest makes of it.
+void show_sweeps(const Problem& problem, const std::vector<double>& frequencies) {
+  constexpr std::size_t kMostSweeps = 3;
+  constexpr double kBelow = 0.8, kAbove = 2.0, kLinear = 1.25;
+  const double above = problem.contacts.empty() ? kLinear : kAbove;
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < frequencies.size() && shown < kMostSweeps; ++i) {
+    if (!(frequencies[i] > 1e-6 * frequencies.back())) continue;
+    show_line(shown++ == 0 ? "to sweep" : "",
+              fmt::format("mode {}: {}", i + 1, range_text(kBelow * frequencies[i], above * frequencies[i])));
+  }
+}
+
 void show_eigenfrequencies(const Problem& problem) {
-  show_line("eigenfrequencies", eigenfrequencies(problem));
+  const ShownModes modes = modes_of(problem);
+  show_line("eigenfrequencies",
+            modes.none.empty() ? first_of(modes.frequencies) + " rad/s" + (modes.few ? ", the lowest" : "")
+                               : modes.none);
+  if (modes.none.empty()) {
+    std::vector<double> hertz = modes.frequencies;
+    for (double& frequency : hertz) frequency *= kHertz;
+    show_line("", first_of(hertz) + " Hz");
+    if (!modes.ratios.empty()) show_line("damping ratios", first_of(modes.ratios, "{:.3g}"));
+  }
   const bool gyroscopic = !is_symmetric(problem.damping()), circulatory = !is_symmetric(problem.stiffness());
-  if (!gyroscopic && !circulatory) return;
-  const std::vector<double> whirls = whirl_frequencies(problem);
-  if (!whirls.empty())
-    show_line("", fmt::format("with damping{}{} {}", gyroscopic ? " and gyroscopic moments" : "",
-                              circulatory ? " and circulatory forces" : "", first_of(whirls)));
+  if (gyroscopic || circulatory) {
+    const std::vector<double> whirls = whirl_frequencies(problem);
+    if (!whirls.empty())
+      show_line("", fmt::format("with damping{}{} {} rad/s", gyroscopic ? " and gyroscopic moments" : "",
+                                circulatory ? " and circulatory forces" : "", first_of(whirls)));
+  }
+  show_sweeps(problem, modes.frequencies);
 }
 
 void show_forcing(const Scene& scene) {
   const Problem& problem = scene.problem;
-  show_line("forcing", fmt::format("omega {:g} rad/s, {}; motion of period {:.6g} s{}", problem.frequency,
-                                   plural(std::ssize(problem.force), "term"), problem.period(),
-                                   problem.subharmonic > 1
-                                       ? fmt::format(" ({} periods of the load)", problem.subharmonic)
-                                       : ""));
+  show_line(
+      "forcing",
+      fmt::format(
+          "omega {:g} rad/s ({:.4g} Hz), {}; motion of period {:.6g} s{}", problem.frequency,
+          problem.frequency * kHertz, plural(std::ssize(problem.force), "term"), problem.period(),
+          problem.subharmonic > 1 ? fmt::format(" ({} periods of the load)", problem.subharmonic) : ""));
   if (load_grows(problem))
     show_line("", "terms that grow with omega: unbalance, or a base or stop that moves");
   for (const SampledLoad& load : scene.sampled_loads)
@@ -172,7 +266,8 @@ void show_contacts(const Problem& problem, const std::vector<DampedStop>& damped
     show_line("", "x of a contact is that of the face, the structure's less what the stop is compressed");
 }
 
-void show_scene(const Scene& scene, const std::vector<DampedStop>& damped) {
+void show_scene(const Scene& scene, const std::vector<DampedStop>& damped,
+                const std::vector<std::string>& notices) {
   const Problem& problem = scene.problem;
   show_title(problem.name, problem.title);
   if (!problem.reference.empty()) show_line("reference", problem.reference);
@@ -180,6 +275,7 @@ void show_scene(const Scene& scene, const std::vector<DampedStop>& damped) {
   show_line("system", fmt::format("{}, {}; entries in M {}, D {}, K {}", problem.kind,
                                   plural(problem.size(), "coordinate"), problem.mass().nonZeros(),
                                   problem.damping().nonZeros(), problem.stiffness().nonZeros()));
+  for (const std::string& notice : notices) show_line("notice", notice);
   show_eigenfrequencies(problem);
   show_forcing(scene);
   show_contacts(problem, damped);
@@ -211,7 +307,7 @@ void show(const std::string& name, const std::string& plot) {
     const SceneSource source = find_scene(name);
     const Scene scene = read_scene(source);
     const std::vector<DampedStop> damped = load_damped_stops(source);
-    show_scene(scene, damped);
+    show_scene(scene, damped, load_notices(source));
     if (!plot.empty()) write_schematic(plot, schematic(scene.problem, load_layout(source), damped));
   } catch (const SceneError& error) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
@@ -73,6 +74,7 @@ void add_sweep_options(const Command& command, SweepArguments& arguments) {
               "w1,w2,...: points exactly there, on every branch; or steps to these frequencies")
       .separated_by(',')
       .one_word();
+  command.flag("--hz", arguments.hertz, "--from, --to and --at are in Hz");
   add_special_point_options(command, arguments);
   command.option("--points", arguments.range.points, "frequencies, both ends included")
       .range(2, 1000000)
@@ -99,7 +101,15 @@ void add_sweep_options(const Command& command, SweepArguments& arguments) {
                "with --out: methods that the folder has whole are not computed again");
 }
 
-SweepRange interval(const SweepArguments& arguments) {
+SweepRange interval(const SweepArguments& given) {
+  SweepArguments arguments = given;
+  if (arguments.hertz) {
+    if (arguments.parameter != kFrequency)
+      throw UsageError(fmt::format("hz (must be left out with --parameter {})", arguments.parameter));
+    for (std::optional<double>* end : {&arguments.from, &arguments.to})
+      if (*end) **end *= 2.0 * std::numbers::pi;
+    for (double& frequency : arguments.range.at) frequency *= 2.0 * std::numbers::pi;
+  }
   SweepRange range = arguments.range;
   if (!range.at.empty()) {
     const auto [least, most] = std::minmax_element(range.at.begin(), range.at.end());

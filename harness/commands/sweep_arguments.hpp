@@ -26,6 +26,7 @@ struct SweepArguments {
   int searches = 0;          ///< values of the parameter at which all orbits are searched
   std::string parameter{kFrequency};
   std::optional<double> from, to;
+  bool hertz = false;  ///< from, to and range.at are in Hz
   bool natural = false;
   std::string follow;
   SecondParameter second;
@@ -41,8 +42,9 @@ struct SweepArguments {
 /// Adds the options to the command; `arguments` outlives it.
 void add_sweep_options(const Command& command, SweepArguments& arguments);
 
-/// The range with its ends: those given, or the least and the largest of the values asked for.
-/// \throws UsageError where an end is missing, or a value is not between them
+/// The range in rad/s, or in the unit of --parameter, with its ends: those given, or the least and the
+/// largest of the values asked for. \throws UsageError where an end is missing, or a value is not between
+/// them
 SweepRange interval(const SweepArguments& arguments);
 
 /// All that the answers depend on but methods and code: an object, its keys the names of the options.

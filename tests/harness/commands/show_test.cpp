@@ -1,11 +1,15 @@
 // `signorini show`.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <sstream>
 #include <string>
 
 #include "tests/harness/program.hpp"
+#include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::show_test {
 namespace {
@@ -21,13 +25,42 @@ TEST(CommandShow, ShowsScenesAndMethods) {
             "tags              sdof, single-point, impact, above-resonance\n"
             "system            sdof, 1 coordinate; entries in M 1, D 1, K 1\n"
             "eigenfrequencies  1 rad/s\n"
-            "forcing           omega 2.2 rad/s, 1 term; motion of period 2.85599 s\n"
+            "                  0.159155 Hz\n"
+            "damping ratios    0.05\n"
+            "to sweep          mode 1: 0.8 to 2 rad/s (0.1273 to 0.3183 Hz)\n"
+            "forcing           omega 2.2 rad/s (0.3501 Hz), 1 term; motion of period 2.85599 s\n"
             "contact 0         u[0] <= 0.2 m\n"
             "law               rigid stops, e = 0.8\n");
   const std::string method = run("show fourier-lipschitz").out;
   EXPECT_NE(method.find("harmonics"), std::string::npos);
   EXPECT_NE(method.find("order             1, of the error of x"), std::string::npos) << method;
   EXPECT_NE(method.find("\nlimits            On a rigid stop"), std::string::npos) << method;
+}
+
+// The first two frequencies of a clamped bar of N linear elements, w^2 = 6 (1 - c) / (2 + c) N^2 with
+// c = cos((2 k - 1) pi / (2 N)) for c = L = 1 m, under D = beta K: ratios beta w / 2. Of 1200 coordinates.
+TEST(CommandShow, HasTheLowestModesOfLargeStructures) {
+  constexpr int kElements = 1200;
+  const test::TemporaryFolder folder;
+  const std::string file =
+      folder
+          .write("bar.toml",
+                 "schema = 1\nname = \"bar\"\n[system]\nkind = \"bar\"\nelements = 1200\n"
+                 "length = 1.0\narea = 1.0\nyoung = 1.0\ndensity = 1.0\n"
+                 "damping = { beta = 0.01 }\n[forcing]\nfrequency_hz = 1.0\n")
+          .string();
+  const std::string text = run("show " + file).out;
+  std::string frequencies = "\neigenfrequencies  ", ratios = "\ndamping ratios    ";
+  for (int k = 1; k <= 2; ++k) {
+    const double c = std::cos((2 * k - 1) * std::numbers::pi / (2 * kElements));
+    const double w = std::sqrt(6.0 * (1.0 - c) / (2.0 + c)) * kElements;
+    frequencies += fmt::format("{:.6g}, ", w);
+    ratios += fmt::format("{:.3g}, ", 0.005 * w);
+  }
+  EXPECT_NE(text.find(frequencies), std::string::npos) << text << frequencies;
+  EXPECT_NE(text.find(ratios), std::string::npos) << text << ratios;
+  EXPECT_NE(text.find("rad/s, the lowest\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("omega 6.28319 rad/s (1 Hz)"), std::string::npos) << text;
 }
 
 TEST(CommandShow, FitsEightyColumnsAndLeavesFurtherContactsOut) {

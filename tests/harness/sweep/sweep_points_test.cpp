@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -96,6 +97,22 @@ TEST(CommandSweep, HasSuchPointsOfTheCurvesOfMethodsToo) {
     }
     EXPECT_GE(points, 3) << method;  // contact-free motions at least
   }
+}
+
+TEST(CommandSweep, TakesHertz) {
+  const std::string sweep = "sweep sdof-stop --method exact-orbit --format json ";
+  const test::Outcome outcome = test::run_program(sweep + "--hz --from 0.5 --to 0.6 --points 2");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto points = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[0]["frequency"], std::numbers::pi, 1e-15);
+  EXPECT_NEAR(points[1]["frequency"], 1.2 * std::numbers::pi, 1e-15);
+  EXPECT_EQ(nlohmann::json::parse(test::run_program(sweep + "--hz --at 0.5").out)[0]["frequency"],
+            points[0]["frequency"]);
+  const test::Outcome refused = test::run_program(
+      "sweep sdof-stop --methods exact-orbit --hz --parameter contact[0].gap --from 1 --to 2");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err, "hz (must be left out with --parameter contact[0].gap)\n");
 }
 
 // A line per branch; the branches are those of the JSON answer.
