@@ -17,4 +17,5 @@ def library(module: str, purpose: str):
         return importlib.import_module(module)
     except ImportError:
         name = module.partition(".")[0]
-        raise MissingLibrary(f"{purpose}: needs {name} (Debian: apt install {PACKAGES[name]}; else pip install {name})") from None
+        cure = f"Debian: apt install {PACKAGES[name]}; else pip install {name}" if name in PACKAGES else f"pip install {name}"
+        raise MissingLibrary(f"{purpose}: needs {name} ({cure})") from None

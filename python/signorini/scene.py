@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import shutil
 import tempfile
 import weakref
@@ -44,7 +45,7 @@ class Scene:
         return cls(source)
 
     @classmethod
-    def from_matrices(cls, M: Matrix, D: Matrix | Damping, K: Matrix, *, frequency: float,
+    def from_matrices(cls, M: Matrix, D: Matrix | Damping, K: Matrix, *, frequency: float | None = None, frequency_hz: float | None = None,
                       load: Mapping[int, float] | Sequence[Load] = (),
                       contacts: Mapping[int, float] | Sequence[Contact] = (),
                       law: Mapping[str, object] | None = None, subharmonic: int = 1, name: str = "from-matrices",
@@ -55,13 +56,17 @@ class Scene:
         circulatory: N, n x n, skew-symmetric, added to K: what a seal, or damping that turns with a shaft, does [N/m].
         D: n x n, its skew part gyroscopic [N s/m]; or {"alpha": a, "beta": b} for a M + b K [1/s] [s]; or {"modal": z}, damping ratios of the modes by
         rising frequency, one number or a list [-].
-        frequency: omega [rad/s].  load: {dof: amplitude of cos(omega t)} [N], or a list of `Load`.
+        frequency: omega [rad/s], or frequency_hz: omega / (2 pi) [Hz].  load: {dof: amplitude of cos(omega t)} [N], or a list of `Load`.
         contacts: {dof: gap} for u[dof] <= gap [m], or a list of `Contact`.
         law: {"restitution": e}, 0 <= e <= 1, or {"penalty": k} with one stiffness or one per contact [N/m], and "damping", c,
         likewise if a damper stands beside each spring [N s/m]; None where no contact carries mass. subharmonic: k, motions of the period 2 pi k / omega are looked for.
 
-        Raises BadInput where the program refuses the scene, and ValueError for matrices of no or unequal shape.
+        Raises BadInput where the program refuses the scene, and ValueError for matrices that are complex or of no or unequal shape.
         """
+        if (frequency is None) == (frequency_hz is None):
+            raise ValueError("frequency, frequency_hz (must be one of them)")
+        if frequency is None:
+            frequency = 2.0 * math.pi * frequency_hz
         file = SceneFile.of(M, D, K, frequency=frequency, load=load, contacts=contacts, law=law, subharmonic=subharmonic,
                             name=name, title=title, circulatory=circulatory)
         folder = tempfile.mkdtemp(prefix="signorini-")
@@ -124,23 +129,24 @@ class Scene:
         return [Orbit(scene=self, record=record) for record in json.loads(program.run(words, (program.DONE, program.FAILED)))]
 
     def sweep(self, start: float, stop: float, points: int = 50, method: Method = "exact-orbit", *, logarithmic: bool = False,
-              back: bool = False, stability: bool = True, timeout: float = 10.0, **options: Option) -> Response:
+              back: bool = False, stability: bool = True, timeout: float = 10.0, hz: bool = False, **options: Option) -> Response:
         """The frequency response by any method, each solve from the answer before.
 
-        start, stop: first and last frequency [rad/s].  logarithmic: equal ratios instead of equal steps.
+        start, stop: first and last frequency [rad/s]; with hz=True [Hz], as what is computed never is.  logarithmic: equal ratios instead of equal steps.
         back: and back again from the last answer, as a second branch.
         stability: look for the orbit behind each answer and its multipliers.  timeout: of one solve [s].
         """
         with tempfile.TemporaryDirectory(prefix="signorini-") as folder:
             words = ["sweep", self._source, *method_words(method, options, folder), "--from", repr(float(start)),
                      "--to", repr(float(stop)), "--points", str(points), "--timeout", str(timeout), "--format", "json"]
-            words += [flag for flag, wanted in (("--log", logarithmic), ("--back", back), ("--certify", stability)) if wanted]
+            words += [flag for flag, wanted in (("--log", logarithmic), ("--back", back), ("--certify", stability), ("--hz", hz))
+                      if wanted]
             answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
         return Response.from_steps(self, method_name(method), answer)
 
     def branches(self, start: float, stop: float, method: Method = "exact-orbit", *, orders: int = 2, most: int = 40, search: int = 0,
-                 timeout: float = 60.0, **options: Option) -> Response:
-        """Branches between two frequencies [rad/s] by arc length, of exact orbits or of a method that follows its own curve.
+                 timeout: float = 60.0, hz: bool = False, **options: Option) -> Response:
+        """Branches between two frequencies [rad/s], with hz=True [Hz], by arc length, of exact orbits or of a method that follows its own curve.
 
         orders: longest period, in periods of the load.  most: branches in all.  timeout: wall time of all of them [s].
         search: begin also at all orbits that a search finds at so many frequencies, for isolated branches.
@@ -149,7 +155,7 @@ class Scene:
         with tempfile.TemporaryDirectory(prefix="signorini-") as folder:
             words = ["sweep", self._source, *method_words(method, options, folder, "--methods"), "--from", repr(float(start)),
                      "--to", repr(float(stop)), "--max-order", str(orders), "--max-branches", str(most), "--search", str(search),
-                     "--total-time", str(timeout), "--format", "json"]
+                     "--total-time", str(timeout), "--format", "json", *(["--hz"] if hz else [])]
             answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
         return Response.from_branches(self, method_name(method), answer)
 

@@ -122,13 +122,22 @@ def shape_of(matrix) -> tuple[int, int]:
 
 
 def entries_of(matrix) -> Entries:
-    """Those that are not zero, of an array or of a matrix of scipy.sparse, each place once."""
+    """Those that are not zero, of an array or of a matrix of scipy.sparse, each place once. Raises ValueError for complex ones."""
     if hasattr(matrix, "tocoo"):
         sparse = matrix.tocsr().tocoo()  # sums what stands at one place
-        return sparse.row, sparse.col, sparse.data.astype(float)
-    dense = np.asarray(matrix, dtype=float)
+        return sparse.row, sparse.col, real_of(sparse.data)
+    dense = real_of(np.asarray(matrix))
     rows, columns = np.nonzero(dense)
     return rows, columns, dense[rows, columns]
+
+
+def real_of(values: np.ndarray) -> np.ndarray:
+    if np.iscomplexobj(values):
+        if np.any(values.imag != 0.0):
+            raise ValueError("a matrix is complex (must be real: structural damping K (1 + i eta) is no force in time; "
+                             'give K.real and D = {"modal": eta / 2}, or near a frequency w D = K.imag / w)')
+        values = values.real
+    return values.astype(float)
 
 
 def parts_of(entries: Entries) -> tuple[Entries, Entries | None]:

@@ -232,6 +232,11 @@ class Sweeps(unittest.TestCase):
         self.assertFalse(sweep.converged)
         np.testing.assert_array_equal(np.isnan(branch.amplitude).any(axis=1), ~branch.converged)
 
+    def test_in_hertz_are_those_in_radians(self):
+        scene = Scene.load("sdof-stop")
+        np.testing.assert_array_equal(scene.sweep(0.5, 0.6, 3, stability=False, hz=True).branches[0].frequency,
+                                      scene.sweep(np.pi, 1.2 * np.pi, 3, stability=False).branches[0].frequency)
+
     def test_of_no_frequencies_are_refused(self):
         with self.assertRaisesRegex(BadInput, "must differ"):
             Scene.load("sdof-stop").sweep(2.0, 2.0)
