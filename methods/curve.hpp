@@ -57,7 +57,7 @@ enum class OrbitStability {
   stable,     ///< all inside the circle
   unstable,   ///< one outside
   elliptic,   ///< of a motion without loss: all on the circle, to 1e-8
-  undefined,  ///< an impact grazes
+  undefined,  ///< an impact grazes, or impacts of one instant feel each other
   unknown,    ///< the equations of the method do not tell
 };
 
@@ -85,6 +85,7 @@ struct SolutionPoint {
   int impacts = 0;  ///< in a period; of springs, massless contacts and methods their closings
   std::optional<double> energy = {};                     ///< of a free motion, kinetic and of all springs [J]
   OrbitStability stability = OrbitStability::undefined;  ///< as the method has it
+  std::string undefined = {};                            ///< why it is, one clause, where that is known
   Eigen::VectorXcd multipliers = {};                     ///< Floquet, 2 Nd; empty where undefined or unknown
 };
 

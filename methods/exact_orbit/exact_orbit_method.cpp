@@ -187,9 +187,8 @@ class PreparedExactOrbit final : public PreparedMethod {
     if (!orbit.certified()) return solution;
     solution.verdict = Verdict::converged;
     *solution.work.unknowns += static_cast<long>(orbit.trajectory->orbit().events.size());
-    solution.message =
-        fmt::format("{}; from {} by {}; error bar {:.1e}, largest multiplier {:.6g}", orbit.reason,
-                    progress_.name, orbit.origin, orbit.error_bar, orbit.largest_multiplier());
+    solution.message = fmt::format("{}; from {} by {}; error bar {:.1e}, {}", orbit.reason, progress_.name,
+                                   orbit.origin, orbit.error_bar, orbit.describe_multipliers());
     return solution;
   }
 
@@ -276,10 +275,10 @@ class PreparedReducedOrbit final : public PreparedMethod {
     }
     solution.verdict = Verdict::converged;
     solution.condition = orbit.condition;
-    solution.message = fmt::format(
-        "{}, on {} vectors by {}; {} corrections by {} vectors; error bar {:.1e}, largest multiplier {:.6g}",
-        orbit.reason, vectors, found.start, corrected.defects.size() - 1, corrected.vectors, *corrected.bar,
-        orbit.largest_multiplier());
+    solution.message =
+        fmt::format("{}, on {} vectors by {}; {} corrections by {} vectors; error bar {:.1e}, {}",
+                    orbit.reason, vectors, found.start, corrected.defects.size() - 1, corrected.vectors,
+                    *corrected.bar, orbit.describe_multipliers());
   }
 
   const Problem* problem_;

@@ -38,9 +38,12 @@ struct FlowRecord {
 
   /// As they are met, times not wrapped; a closing that ends a chatter at the limit of its impacts.
   std::vector<ContactEvent> events;
-  std::vector<SequenceEvent> sequence;  ///< the same, event by event
-  std::vector<FlowNode> nodes;          ///< in time order; two at each event, one for either side
-  Eigen::MatrixXd derivative;           ///< Ns x Ns, of (u, xi, v)
+  /// The same, event by event; impacts of one instant are one where they feel each other through the mass.
+  std::vector<SequenceEvent> sequence;
+  std::vector<FlowNode> nodes;  ///< in time order; two at each event, one for either side
+  Eigen::MatrixXd derivative;   ///< Ns x Ns, of (u, xi, v)
+  /// Impacts of one instant feel each other: the derivative is that of one of their orders.
+  bool order_matters = false;
 };
 
 /// What separates events from noise in a flow of this tolerance, relative to the scales of the motion [-]:

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "methods/flow/impact_groups.hpp"
 #include "methods/flow/stop_events.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
@@ -79,63 +80,107 @@ void RigidEvents::collide(FlowState& flow, Impact& impact) const {
       image_by_columns(dynamics_.structure().velocity_per_impulse, impact.contacts, impact.impulse);
 }
 
-// The events of one instant, and the entry of the sequence that they are together: an impulse belongs to the
-// closing that it ends in, unless the end of a chatter comes between them.
-SequenceEvent RigidEvents::log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
-                               int trigger, FlowRecord& record) const {
+// The events of one instant: an impulse belongs to the closing that it ends in, unless the end of a chatter
+// comes between them.
+void RigidEvents::log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
+                      FlowRecord& record) const {
   using Kind = ContactEvent::Kind;
-  SequenceEvent entry{.contact = trigger, .time = before.time, .closed = closed};
   for (std::size_t i = 0; i < impact.contacts.size(); ++i) {
     const int j = impact.contacts[i];
-    const auto row = static_cast<Eigen::Index>(i);
     const bool was = before.closed[static_cast<std::size_t>(j)], is = closed[static_cast<std::size_t>(j)];
-    const double impulse = std::min(0.0, impact.impulse[row]);
+    const double impulse = std::min(0.0, impact.impulse[static_cast<Eigen::Index>(i)]);
     const double rest = impact.rest_of_chatter[i];
     const bool closes = is && !was, at_once = closes && rest == 0.0;
-    if (impulse < 0.0) {
-      entry.pushed.push_back(j);
-      entry.restitution.push_back(impact.approach[row] > rest_ ? impact.restitution[row] : 0.0);
-      if (!at_once)
-        record.events.push_back(
-            {.kind = Kind::impact, .contact = j, .time = before.time, .impulse = impulse});
-    }
-    if (j == trigger) entry.kind = was ? Kind::open : is ? Kind::close : Kind::impact;
+    if (impulse < 0.0 && !at_once)
+      record.events.push_back({.kind = Kind::impact, .contact = j, .time = before.time, .impulse = impulse});
     if (was == is) continue;
     record.events.push_back({.kind = closes ? Kind::close : Kind::open,
                              .contact = j,
                              .time = before.time + (closes ? rest : 0.0),
                              .impulse = at_once ? impulse : 0.0});
   }
-  if (trigger >= 0) record.sequence.push_back(entry);
-  return entry;
+}
+
+// The entries of the sequence that they are: one for each group of contacts that feel each other's impulses,
+// named by the contact that triggers it or, of another group, by the first one that strikes; what else
+// changes does so with the trigger.
+std::vector<SequenceEvent> RigidEvents::entries(const Impact& impact, const FlowState& before,
+                                                const std::vector<bool>& closed, int trigger) const {
+  using Kind = ContactEvent::Kind;
+  const auto row = [&](int j) { return std::ranges::find(impact.contacts, j) - impact.contacts.begin(); };
+  const auto strikes = [&](int j) {
+    return impact.approach[row(j)] > rest_ && !before.closed[static_cast<std::size_t>(j)];
+  };
+  std::vector<int> pushed;
+  for (std::size_t i = 0; i < impact.contacts.size(); ++i)
+    if (impact.impulse[static_cast<Eigen::Index>(i)] < 0.0) pushed.push_back(impact.contacts[i]);
+  std::vector<SequenceEvent> entries{{.contact = trigger, .time = before.time}};
+  const auto groups = impact_groups(dynamics_.structure(), pushed);
+  for (const std::vector<int>& group : groups) {
+    const auto first = std::ranges::find_if(group, strikes);
+    const bool own =
+        groups.size() == 1 || first == group.end() || std::ranges::find(group, trigger) != group.end();
+    if (!own) entries.push_back({.contact = *first, .time = before.time});
+    SequenceEvent& entry = own ? entries.front() : entries.back();
+    for (const int j : group) {
+      entry.pushed.push_back(j);
+      const auto at = row(j);
+      entry.restitution.push_back(impact.approach[at] > rest_ ? impact.restitution[at] : 0.0);
+    }
+  }
+  std::ranges::sort(entries, {}, &SequenceEvent::contact);
+  const auto owner = [&](int j) {
+    return std::ranges::find_if(entries, [j](const SequenceEvent& entry) {
+      return std::ranges::find(entry.pushed, j) != entry.pushed.end();
+    });
+  };
+  std::vector<bool> now = before.closed;
+  for (auto entry = entries.begin(); entry != entries.end(); ++entry) {
+    for (int j = 0; j < dynamics_.contact_count(); ++j) {
+      const auto of = owner(j);
+      if (of == entry || (of == entries.end() && entry->contact == trigger))
+        now[static_cast<std::size_t>(j)] = closed[static_cast<std::size_t>(j)];
+    }
+    entry->closed = now;
+    const auto index = static_cast<std::size_t>(entry->contact);
+    if (entry->contact >= 0)
+      entry->kind = before.closed[index] ? Kind::open : closed[index] ? Kind::close : Kind::impact;
+  }
+  return entries;
 }
 
 // With the contacts P that took an impulse, x'_+ = -e x'_- there, or at rest where they rested:
 // dv+/dv- = I - M^-1 W_P G_PP^-1 diag(1 + e) W_P^T. The term in n^T is the shift of the instant: a state
 // closer to its stop meets it earlier by n^T dy / (n^T F-), and the two sides of the event differ by F+ - R
-// F- for that long.
-Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const SequenceEvent& entry,
+// F- for that long. Entries of one instant follow one another.
+Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const std::vector<SequenceEvent>& entries,
                                        const FlowState& after, const ContactMode& mode) const {
   const int n = dynamics_.size();
   const Eigen::MatrixXd& W = dynamics_.structure().directions;
   const Eigen::MatrixXd& back = dynamics_.structure().velocity_per_impulse;
-  const auto at = std::find(impact.contacts.begin(), impact.contacts.end(), entry.contact);
-  const double closing_speed =
-      at == impact.contacts.end() ? 0.0 : impact.approach[at - impact.contacts.begin()];
-  Eigen::MatrixXd R = Eigen::MatrixXd::Identity(n, n);
-  if (!entry.pushed.empty()) {
-    R += product(columns_of(back, entry.pushed),
-                 dynamics_.structure().impulse_of_velocity(entry.pushed, entry.restitution));
-  }
-  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  S.topLeftCorner(n, n).setIdentity();
-  S.bottomRightCorner(n, n) = R;
-  if (!entry.pushed.empty() && closing_speed > rest_) {
-    Eigen::VectorXd a(n);
-    dynamics_.acceleration(mode, after.time, after.state.u, after.state.v, a);
-    const Eigen::RowVectorXd along = W.col(entry.contact).transpose() / closing_speed;
-    S.topLeftCorner(n, n) += (after.state.v - impact.before.v) * along;
-    S.bottomLeftCorner(n, n) += (a - R * impact.acceleration) * along;
+  Eigen::MatrixXd S = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+  Eigen::VectorXd v = impact.before.v, a = impact.acceleration, v_after(n), a_after(n);
+  for (const SequenceEvent& entry : entries) {
+    const bool last = &entry == &entries.back();
+    Eigen::MatrixXd R = Eigen::MatrixXd::Identity(n, n);
+    if (!entry.pushed.empty()) {
+      R += product(columns_of(back, entry.pushed),
+                   dynamics_.structure().impulse_of_velocity(entry.pushed, entry.restitution));
+    }
+    v_after = last ? after.state.v : image(R, v);
+    dynamics_.acceleration(last ? mode : dynamics_.mode(entry.closed), after.time, after.state.u, v_after,
+                           a_after);
+    Eigen::MatrixXd one = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+    one.bottomRightCorner(n, n) = R;
+    const double closing_speed = entry.contact < 0 ? 0.0 : W.col(entry.contact).dot(v);
+    if (!entry.pushed.empty() && closing_speed > rest_) {
+      const Eigen::RowVectorXd along = W.col(entry.contact).transpose() / closing_speed;
+      one.topLeftCorner(n, n) += (v_after - v) * along;
+      one.bottomLeftCorner(n, n) += (a_after - image(R, a)) * along;
+    }
+    S = last && entries.size() == 1 ? std::move(one) : product(one, S);
+    v = v_after;
+    a = a_after;
   }
   if (!mode.active.empty()) {  // what the next mode holds cannot deviate
     const Eigen::MatrixXd hold = product(columns_of(back, mode.active),
@@ -172,9 +217,15 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
          std::move(resting), closed);
   const ContactMode mode = dynamics_.mode(closed);
   hold(flow.state, mode);
-  const SequenceEvent entry = log(impact, flow, closed, trigger, record);
+  log(impact, flow, closed, record);
+  const std::vector<SequenceEvent> sequence = entries(impact, flow, closed, trigger);
+  if (trigger >= 0) record.sequence.insert(record.sequence.end(), sequence.begin(), sequence.end());
+  if (record.tangent) {
+    record.order_matters |= coupling_of(dynamics_.structure(), flow.closed, sequence) != ImpactCoupling::none;
+    flow.closed = closed;
+    record.derivative = product(saltation(impact, sequence, flow, mode), record.derivative);
+  }
   flow.closed = closed;
-  if (record.tangent) record.derivative = product(saltation(impact, entry, flow, mode), record.derivative);
 }
 
 FlowState RigidEvents::place(double time, const State& state) const {

@@ -92,7 +92,10 @@ class RigidEvents final : public StopEvents {
   /// -1. Logs impacts, closings and openings; where the record asks for it, multiplies its derivative by
   /// the saltation matrix
   ///
-  ///     S = R + (F+ - R F-) n^T / (n^T F-),   n = (w, 0), R = diag(I, dv+/dv-), F = (v, a) on each side.
+  ///     S = R + (F+ - R F-) n^T / (n^T F-),   n = (w, 0), R = diag(I, dv+/dv-), F = (v, a) on each side,
+  ///
+  /// of impacts at one instant that do not feel each other through the mass by the product of theirs, in the
+  /// order of the contacts.
   /// \throws FlowError if the stops depend on each other and no impulses satisfy the law
   void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
 
@@ -107,9 +110,11 @@ class RigidEvents final : public StopEvents {
 
   [[nodiscard]] std::optional<double> rest_of_chatter(double v, double a, double jerk) const;
   void collide(FlowState& flow, Impact& impact) const;
-  SequenceEvent log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
-                    int trigger, FlowRecord& record) const;
-  [[nodiscard]] Eigen::MatrixXd saltation(const Impact& impact, const SequenceEvent& entry,
+  void log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
+           FlowRecord& record) const;
+  [[nodiscard]] std::vector<SequenceEvent> entries(const Impact& impact, const FlowState& before,
+                                                   const std::vector<bool>& closed, int trigger) const;
+  [[nodiscard]] Eigen::MatrixXd saltation(const Impact& impact, const std::vector<SequenceEvent>& entries,
                                           const FlowState& after, const ContactMode& mode) const;
 
   double tolerance_, touch_, rest_, weightless_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "methods/orbit/exact_trajectory.hpp"
+#include "methods/orbit/impact_orders.hpp"
 #include "methods/orbit/orbit_guess.hpp"
 
 namespace signorini {
@@ -80,9 +81,11 @@ struct ExactOrbit {
   double error_bar = 0.0;
   double condition = 1.0;  ///< estimate for J, in its scales; where there is a trajectory [-]
   int iterations = 0;      ///< Newton steps
-  Eigen::VectorXcd multipliers =
-      {};  ///< Floquet, 2 Nd, Nc more if acting contacts relax; empty where undefined
-  Admissibility admissibility = {};  ///< where there is a trajectory
+  /// Floquet, 2 Nd, Nc more if acting contacts relax; empty where undefined (OrbitMultipliers::values).
+  Eigen::VectorXcd multipliers = {};
+  std::string undefined = {};            ///< why there are none, as OrbitMultipliers has it
+  std::vector<ImpactOrder> orders = {};  ///< likewise
+  Admissibility admissibility = {};      ///< where there is a trajectory
 
   /// An orbit of the scene stands behind this.
   [[nodiscard]] bool certified() const {
@@ -92,10 +95,13 @@ struct ExactOrbit {
   [[nodiscard]] double largest_multiplier() const {
     return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
   }
+  /// "largest multiplier 0.7", or what they are undefined for.
+  [[nodiscard]] std::string describe_multipliers() const;
 };
 
 /// Solves the orbit equations from a guess by Newton's method. Steps are shortened so that no interval
-/// between events loses more than four fifths of its length, and halved until the residual falls.
+/// between events loses more than four fifths of its length, and halved until the residual falls. Impacts
+/// that have overtaken others change places, and the equations are solved again.
 ///
 /// Converged: residual <= tolerance, or at the round-off of its evaluation (`attainable`, 32 epsilon times
 /// the largest state met). The error bar is the largest row sum of |J^-1|, rows of instants weighted with the

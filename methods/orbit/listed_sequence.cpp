@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "methods/discretisation/periodic_time.hpp"
+#include "methods/flow/impact_groups.hpp"
 #include "methods/orbit/orbit_guess.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
 
@@ -41,31 +42,51 @@ std::vector<bool> closed_at_section(const std::vector<ContactEvent>& events,
   return closed;
 }
 
-// Takes events of one instant together; `closed` goes from its left to its right side. False where they
-// contradict the contacts that are closed.
+// Adds the entries of events of one instant, one for each group of contacts that feel each other's impulses;
+// `closed` goes from their left to their right side. False where they contradict the contacts that are
+// closed.
 bool join(const ContactDynamics& dynamics, const std::vector<ContactEvent>& together,
-          std::vector<bool>& closed, SequenceEvent& joined) {
+          std::vector<bool>& closed, std::vector<SequenceEvent>& sequence) {
   const std::vector<bool> before = closed;
   const auto was_closed = [&](const ContactEvent& event) {
     return before[static_cast<std::size_t>(event.contact)];
   };
-  const auto trigger = std::find_if(together.begin(), together.end(), [&](const ContactEvent& event) {
+  const auto strikes = [&](const ContactEvent& event) {
     return event.kind != Kind::open && !was_closed(event);
-  });
-  const ContactEvent& first = trigger == together.end() ? together.front() : *trigger;
-  joined = {.kind = first.kind, .contact = first.contact, .time = first.time};
+  };
+  const auto pushed = [&](const ContactEvent& event) {
+    return dynamics.rigid() && (event.impulse != 0.0 || strikes(event));
+  };
+  std::vector<int> contacts;
   for (const ContactEvent& event : together) {
-    const auto index = static_cast<std::size_t>(event.contact);
     if ((event.kind == Kind::close) == was_closed(event) && event.kind != Kind::impact) return false;
-    if (event.kind != Kind::impact) closed[index] = event.kind == Kind::close;
-    const bool strikes = event.kind != Kind::open && !was_closed(event);
-    if (!dynamics.rigid() || (event.impulse == 0.0 && !strikes)) continue;
-    const auto place = std::upper_bound(joined.pushed.begin(), joined.pushed.end(), event.contact);
-    joined.restitution.insert(joined.restitution.begin() + (place - joined.pushed.begin()),
-                              event.kind == Kind::impact && strikes ? dynamics.restitution() : 0.0);
-    joined.pushed.insert(place, event.contact);
+    if (pushed(event)) contacts.push_back(event.contact);
   }
-  joined.closed = closed;
+  auto groups = impact_groups(dynamics.structure(), contacts);
+  if (groups.empty()) groups.emplace_back();
+  for (const std::vector<int>& group : groups) {
+    // Those that take no impulse change with the first group.
+    const auto of_group = [&](const ContactEvent& event) {
+      return pushed(event) ? std::ranges::find(group, event.contact) != group.end() : &group == &groups[0];
+    };
+    const ContactEvent* trigger = nullptr;
+    for (const ContactEvent& event : together) {
+      if (of_group(event) && (trigger == nullptr || (strikes(event) && !strikes(*trigger)))) trigger = &event;
+    }
+    SequenceEvent joined{.kind = trigger->kind, .contact = trigger->contact, .time = trigger->time};
+    for (const ContactEvent& event : together) {
+      if (!of_group(event)) continue;
+      if (event.kind != Kind::impact)
+        closed[static_cast<std::size_t>(event.contact)] = event.kind == Kind::close;
+      if (!pushed(event)) continue;
+      const auto place = std::upper_bound(joined.pushed.begin(), joined.pushed.end(), event.contact);
+      joined.restitution.insert(joined.restitution.begin() + (place - joined.pushed.begin()),
+                                event.kind == Kind::impact && strikes(event) ? dynamics.restitution() : 0.0);
+      joined.pushed.insert(place, event.contact);
+    }
+    joined.closed = closed;
+    sequence.push_back(std::move(joined));
+  }
   return true;
 }
 
@@ -100,8 +121,7 @@ std::optional<OrbitGuess> listed_sequence(OrbitModel& model, std::vector<Contact
     const auto last = std::find_if(first, events.end(), [&](const ContactEvent& event) {
       return event.time > first->time + kSameInstant * model.period;
     });
-    guess.events.emplace_back();
-    if (!join(model.dynamics, {first, last}, closed, guess.events.back())) return std::nullopt;
+    if (!join(model.dynamics, {first, last}, closed, guess.events)) return std::nullopt;
     first = last;
   }
   if (closed != guess.start.closed) return std::nullopt;

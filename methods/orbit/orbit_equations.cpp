@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "methods/flow/impact_groups.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/products.hpp"
 
@@ -232,12 +233,23 @@ Eigen::MatrixXd OrbitEquations::monodromy() const {
   Eigen::MatrixXd P = jacobian_.topLeftCorner(states_, states_);
   P.diagonal().array() += 1.0;  // dP/dy_0 without the - y_0 of the closure
   if (m_ == 0) return P;
+  const Eigen::MatrixXd instants = instants_by_state();
+  if (instants.size() == 0) return {};
+  return P + product(jacobian_.topRightCorner(states_, m_), instants);
+}
+
+Eigen::MatrixXd OrbitEquations::instants_by_state() const {
   // dh/dt is lower triangular: an event depends on those before it.
   const Eigen::MatrixXd along = jacobian_.bottomRightCorner(m_, m_);
-  if (along.diagonal().cwiseAbs().minCoeff() == 0.0) return {};
-  P -= product(jacobian_.topRightCorner(states_, m_),
-               lower_solve(along, jacobian_.bottomLeftCorner(m_, states_)));
-  return P;
+  if (m_ == 0 || along.diagonal().cwiseAbs().minCoeff() == 0.0) return {};
+  return -lower_solve(along, jacobian_.bottomLeftCorner(m_, states_));
+}
+
+bool OrbitEquations::may_overtake(Eigen::Index i, Eigen::Index k) const {
+  const auto& of = sequence_.events;
+  const SequenceEvent &a = of[static_cast<std::size_t>(k)], &b = of[static_cast<std::size_t>(i)];
+  return a.contact != b.contact && !a.pushed.empty() && !b.pushed.empty() &&
+         coupling_of(model_.dynamics.structure(), a, b) != ImpactCoupling::mass;
 }
 
 std::vector<int> OrbitGuess::closings() const {

@@ -108,8 +108,15 @@ class OrbitEquations {
   [[nodiscard]] const std::vector<EventCrossing>& crossings() const { return crossings_; }
   /// m + 1 arcs: arc i ends at event i. The next evaluation changes them.
   [[nodiscard]] const std::vector<std::shared_ptr<LinearArc>>& arcs() const { return arcs_; }
-  /// The Schur complement in scaled coordinates, Ns x Ns; empty if dh/dt is singular.
+  /// The Schur complement in scaled coordinates, Ns x Ns; empty if dh/dt is singular. Of impacts at one
+  /// instant that of their order in the sequence.
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
+  /// How the instants follow the state at the section, -(dh/dt)^-1 dh/dy_0, m x Ns in the scales; empty
+  /// likewise.
+  [[nodiscard]] Eigen::MatrixXd instants_by_state() const;
+  /// Whether event i may come before event k < i and the equations still mean the same motion: impacts of two
+  /// contacts that do not feel each other through the mass.
+  [[nodiscard]] bool may_overtake(Eigen::Index i, Eigen::Index k) const;
   /// The orbit of given unknowns, with the sequence of this one.
   [[nodiscard]] OrbitGuess orbit(const Eigen::VectorXd& unknowns) const;
 
@@ -158,10 +165,11 @@ struct OrbitNewtonResult {
 
 /// Solves the equations from their guess by `damped_newton`. Steps are shortened so that no interval between
 /// events loses more than four fifths of its length, for beyond an event that overtakes another the equations
-/// mean nothing, and halved until the residual falls. Solved: residual <= max(tolerance, noise()),
-/// reduced by one more step where that is possible, or a residual that no longer falls, or not by half in
-/// ten steps, and is within a hundred times its noise. Any other that falls so slowly is given up.
-/// \param expired  asked before every step; true ends the search unsolved
+/// mean nothing (where it may, within .05, that is added to its length), and halved until the residual falls.
+/// Solved: residual <= max(tolerance, noise()), reduced by one more step where that is possible, or a
+/// residual that no longer falls, or not by half in ten steps, and is within a hundred times its noise. Any
+/// other that falls so slowly is given up. \param expired  asked before every step; true ends the search
+/// unsolved
 OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations,
                         const std::function<bool()>& expired = {});
 

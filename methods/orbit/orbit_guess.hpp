@@ -35,7 +35,8 @@ std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& motio
 /// One period of a motion from its own list of events, cut open at `section`:
 ///
 /// - events of one instant (1e-12 of the period) become one entry of the sequence, whose guard is that of a
-///   contact that closes or strikes, or, where none does, of one that opens;
+///   contact that closes or strikes, or, where none does, of one that opens; impacts that do not feel each
+///   other through the mass (`impact_groups`) become one entry each;
 /// - a contact takes an impulse where one is listed, with the scene's restitution if it was open before and
 ///   is so afterwards, else with 0; a rigid contact that closes or strikes without one takes what it needs;
 /// - a rigid contact that closes without an impulse after an impact ends a chatter: it sticks from that

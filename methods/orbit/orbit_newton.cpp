@@ -75,19 +75,24 @@ class NewtonOnOrbit {
   [[nodiscard]] double norm() const { return equations_.residual().lpNorm<Eigen::Infinity>(); }
 
   // The part of the step that leaves each interval between events a fifth of its length: in the unknowns
-  // s = omega (t - t_0) the interval s_i - s_{i-1} loses part (step_{i-1} - step_i).
+  // s = omega (t - t_0) the interval s_i - s_k loses part (step_k - step_i). An event that may overtake those
+  // before it is held back by the last one that it may not.
   [[nodiscard]] double longest_part() const {
-    constexpr double kKept = 0.2;
-    double part = 1.0, before = 0.0, moved = 0.0;
+    constexpr double kKept = 0.2, kOvertakes = 0.05;
+    double part = 1.0;
     const Eigen::Index m = equations_.events(), first = equations_.size() - m;
     for (Eigen::Index i = 0; i <= m; ++i) {
       const double at = i == m ? equations_.end() : unknowns_[first + i];
       const double move = i == m ? 0.0 : step_[first + i];
-      const double shrinks = moved - move, length = at - before;
-      if (shrinks > 0.0 && part * shrinks > (1.0 - kKept) * length)
-        part = std::max(0.0, (1.0 - kKept) * length / shrinks);
-      before = at;
-      moved = move;
+      for (Eigen::Index k = i - 1; k >= -1; --k) {
+        const double shrinks = (k < 0 ? 0.0 : step_[first + k]) - move;
+        double length = at - (k < 0 ? 0.0 : unknowns_[first + k]);
+        const bool passes = k >= 0 && i < m && length < kOvertakes && equations_.may_overtake(i, k);
+        if (passes) length = std::max(0.0, length + kOvertakes);
+        if (shrinks > 0.0 && part * shrinks > (1.0 - kKept) * length)
+          part = std::max(0.0, (1.0 - kKept) * length / shrinks);
+        if (!passes) break;
+      }
     }
     return part;
   }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <exception>
 #include <numeric>
+#include <utility>
 
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/modal_green_function.hpp"
 #include "methods/solvers/condition_estimate.hpp"
-#include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
@@ -70,7 +70,8 @@ void measure_error(const OrbitModel& model, const OrbitEquations& equations, con
   orbit.error_bar = std::max(orbit.error_bar, (inverse * again.residual()).lpNorm<Eigen::Infinity>());
 }
 
-void conclude(const OrbitEquations& equations, const PolishOptions& options, ExactOrbit& orbit) {
+void conclude(OrbitModel& model, const OrbitEquations& equations, const PolishOptions& options,
+              ExactOrbit& orbit) {
   constexpr double kUndetermined = 1e-3;  // an error bar of this size determines nothing
   const Admissibility& found = orbit.admissibility;
   const OrbitGuess& path = orbit.trajectory->orbit();
@@ -92,8 +93,10 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
         fmt::format("an impact grazes its stop (approach speed {:.2g} of the scale)", found.weakest_impact);
     return;
   }
-  const Eigen::MatrixXd monodromy = equations.monodromy();
-  if (monodromy.size() > 0 && monodromy.allFinite()) orbit.multipliers = general_eigenvalues(monodromy);
+  OrbitMultipliers multipliers = multipliers_of_orbit(model, path, equations, options.expired);
+  orbit.multipliers = std::move(multipliers.values);
+  orbit.undefined = std::move(multipliers.undefined);
+  orbit.orders = std::move(multipliers.orders);
   const bool chatter = found.chatter_error > 0.0;
   orbit.outcome = chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
   const std::vector<int> of_contacts = path.closings();
@@ -104,8 +107,23 @@ void conclude(const OrbitEquations& equations, const PolishOptions& options, Exa
   if (closings == 0 && any_closed(path.start.closed)) orbit.reason += " (closed throughout)";
 }
 
+// Puts the instants of events that rounding has exchanged at one; the order of the events by their instants
+// where more than rounding has.
+std::vector<std::size_t> order_in_time(OrbitGuess& path, double period) {
+  constexpr double kRounding = 1e-13;  // of the period
+  std::vector<std::size_t> order(path.events.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  bool overtaken = false;
+  for (std::size_t i = 1; i < path.events.size(); ++i)
+    overtaken = overtaken || path.events[i].time < path.events[i - 1].time - kRounding * period;
+  if (overtaken) std::ranges::stable_sort(order, {}, [&](std::size_t i) { return path.events[i].time; });
+  for (std::size_t i = 1; i < path.events.size() && !overtaken; ++i)
+    path.events[i].time = std::max(path.events[i].time, path.events[i - 1].time);
+  return order;
+}
+
 ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
-                  const PolishOptions& options) {
+                  const PolishOptions& options, bool again = true) {
   OrbitEquations equations(*model, guess, options.expired);
   const OrbitNewtonResult newton =
       solve(equations, options.tolerance, options.max_iterations, options.expired);
@@ -116,18 +134,32 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
     return orbit;
   }
   orbit.attainable = equations.noise();
-  const OrbitGuess path = equations.orbit(newton.unknowns);
+  OrbitGuess path = equations.orbit(newton.unknowns);
+  const std::vector<std::size_t> order = order_in_time(path, model->period);
+  if (!std::ranges::is_sorted(order)) {
+    path.events = reordered(path.events, path.start.closed, order);
+    if (again) {
+      orbit = polish(model, path, options, false);
+      orbit.iterations += newton.iterations;
+      return orbit;
+    }
+  }
   const auto trajectory =
       std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
   orbit.trajectory = trajectory;
   orbit.admissibility = check_admissible(*model, path, equations, options.expired);
   measure_error(*model, equations, options, orbit);
-  conclude(equations, options, orbit);
+  conclude(*model, equations, options, orbit);
   trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
   return orbit;
 }
 
 }  // namespace
+
+std::string ExactOrbit::describe_multipliers() const {
+  if (undefined.empty()) return fmt::format("largest multiplier {:.6g}", largest_multiplier());
+  return "stability undefined: " + describe_orders({.undefined = undefined, .orders = orders});
+}
 
 std::string describe(OrbitOutcome outcome) {
   constexpr const char* kWords[] = {"converged",      "complete chattering", "grazing",

@@ -1,5 +1,7 @@
 #include "methods/periodic_motion/period_map.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,11 @@
 #include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
+
+std::string FixedPoint::describe_multipliers() const {
+  return order_matters ? "multipliers depend on the order of simultaneous impacts"
+                       : fmt::format("largest multiplier {:.6g}", largest_multiplier());
+}
 
 void PeriodMap::apply(FlowState& state, int count, FlowRecord& record) {
   const double phase = state.time;
@@ -125,6 +132,7 @@ class PeriodEquations {
       at.point.message = error.what();
       return at;
     }
+    at.point.order_matters = record.order_matters;
     at.defect = map_.scaled(end.state) - map_.scaled(start.state);
     // The derivative of the flow is that of (u, xi, v); here it is wanted of (u / X, xi / X, v / V).
     Eigen::MatrixXd& derivative = at.point.monodromy = std::move(record.derivative);

@@ -45,11 +45,15 @@ struct FixedPoint {
   std::optional<double> condition = {};  ///< estimate for I - monodromy at the last step, scaled [-]
   Eigen::MatrixXd monodromy = {};        ///< in scaled coordinates, Ns x Ns
   Eigen::VectorXcd multipliers = {};     ///< its eigenvalues, the Floquet multipliers; empty unless converged
+  /// Simultaneous impacts feel each other: these are of one of their orders.
+  bool order_matters = false;
 
   /// Of `multipliers`, in magnitude; 0 where there are none.
   [[nodiscard]] double largest_multiplier() const {
     return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
   }
+  /// "largest multiplier 0.7", or that they depend on the order of simultaneous impacts.
+  [[nodiscard]] std::string describe_multipliers() const;
 };
 
 /// When find_fixed_point gives up.

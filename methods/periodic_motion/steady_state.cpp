@@ -197,8 +197,7 @@ class March {
       if (*smallest < order) orbit = find_fixed_point(map_, orbit.start, *smallest, newton, expired_);
       if (!orbit.converged) continue;
       orbit.iterations = map_.periods();
-      orbit.message =
-          fmt::format("{}, largest multiplier {:.6g}", success(*smallest), orbit.largest_multiplier());
+      orbit.message = fmt::format("{}, {}", success(*smallest), orbit.describe_multipliers());
       return orbit;
     }
     return std::nullopt;
@@ -289,11 +288,10 @@ FixedPoint shoot(PeriodMap& map, const FlowState& start, int order, const Period
                                        .max_halvings = 12,
                                        .largest_step = 1e3},
                                       expired);
-  orbit.message =
-      orbit.converged
-          ? fmt::format("periodic with order {} after {} Newton steps, largest multiplier {:.6g}", order,
-                        orbit.iterations, orbit.largest_multiplier())
-          : fmt::format("no periodic motion after {} Newton steps: {}", orbit.iterations, orbit.message);
+  orbit.message = orbit.converged ? fmt::format("periodic with order {} after {} Newton steps, {}", order,
+                                                orbit.iterations, orbit.describe_multipliers())
+                                  : fmt::format("no periodic motion after {} Newton steps: {}",
+                                                orbit.iterations, orbit.message);
   return orbit;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/flow/impact_groups.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
@@ -116,6 +117,17 @@ std::optional<double> test_of(ExtendedEquations& equations, const Eigen::VectorX
   return std::nullopt;
 }
 
+// Whether several contacts that feel each other strike at one event: beside the orbit they do not.
+bool struck_together(const ExtendedEquations& equations) {
+  const FlowStructure& structure = equations.model().dynamics.structure();
+  const std::vector<bool>* before = &equations.orbit().closed;
+  for (const SequenceEvent& event : equations.orbit().events) {
+    if (coupling_of(structure, *before, {&event, 1}) != ImpactCoupling::none) return true;
+    before = &event.closed;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
@@ -126,6 +138,11 @@ std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen
 }
 
 BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
+  if (struck_together(equations)) {
+    BifurcationTests fold;
+    fold.values[static_cast<std::size_t>(SpecialKind::fold)] = tangent[equations.size()];
+    return fold;
+  }
   BifurcationTests tests{.multipliers = multipliers_at(equations)};
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
                                  SpecialKind::branch_point})

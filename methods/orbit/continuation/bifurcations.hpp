@@ -23,7 +23,8 @@ namespace signorini {
 ///   absent there, as for a single coordinate, which has no such point. Branch points of free motions are
 ///   not looked for.
 ///
-/// Determinants are divided by the norms of their rows.
+/// Determinants are divided by the norms of their rows. Where contacts that feel each other through the mass
+/// strike at one event the map is not continuous, and the fold alone is a bifurcation.
 struct BifurcationTests {
   std::array<std::optional<double>, 4> values = {};  ///< in the order of SpecialKind
   Eigen::VectorXcd multipliers = {};                 ///< 2 Nd; empty at a grazing

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/flow/impact_groups.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 
@@ -188,9 +189,9 @@ ChangeOfSequence past_coincidence(OrbitFamily& family, const SequencedOrbit& orb
   if (one && a.kind == Kind::open && b.kind == Kind::close && keeps_no_speed(dynamics))
     return end_phase(family, orbit, i);
   const bool impacts = a.kind == ContactEvent::Kind::impact && b.kind == ContactEvent::Kind::impact;
-  if (!one && impacts && dynamics.structure().delassus(a.contact, b.contact) == 0.0)
+  if (!one && impacts && coupling_of(dynamics.structure(), a, b) != ImpactCoupling::mass)
     return exchange(family, orbit, i);
-  return {.obstacle = one ? "not followed" : "the motion after it depends on their order; an end"};
+  return {.obstacle = one ? "not followed" : "an end"};
 }
 
 // Of changes at rigid stops.
@@ -247,6 +248,7 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
         return cease_to_stick(family, orbit, *opening);
       return begin_flight(family, orbit, guard.index);
     case GuardKind::corner:
+    case GuardKind::together:
       break;
   }
   return {.obstacle = why_not_followed(guard)};

@@ -13,6 +13,7 @@
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
+#include "methods/orbit/impact_orders.hpp"
 
 namespace signorini {
 
@@ -106,6 +107,22 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
   return std::pair(std::move(steered), kBeyond * shortest / along.norm());
 }
 
+// What the order of two impacts that come together changes beyond; else empty.
+std::string why_order_matters(const ExtendedEquations& equations, const OrbitGuard& guard) {
+  if (guard.kind != GuardKind::interval) return {};
+  const std::vector<SequenceEvent>& events = equations.orbit().events;
+  const auto later = static_cast<std::size_t>(guard.index);
+  const SequenceEvent& before = events[(later + events.size() - 1) % events.size()];
+  switch (coupling_of(equations.model().dynamics.structure(), before, events[later])) {
+    case ImpactCoupling::mass:
+      return fmt::format(": what follows {}", kDependsOnOrder);
+    case ImpactCoupling::dampers:
+      return fmt::format(": a corner, for the derivative of what follows {}", kDependsOnOrder);
+    default:
+      return {};
+  }
+}
+
 // The end of a curve at the zero of a guard.
 SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& guard,
                        const SolutionPoint& point) {
@@ -114,7 +131,7 @@ SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& gua
   const std::string limit = ends_chatter(equations, guard) ? std::string(kChatterLimit) + ": " : "";
   return {.kind = grazes ? SpecialKind::grazing : SpecialKind::contact_change,
           .point = point,
-          .text = limit + describe(guard, equations.orbit(), rigid)};
+          .text = limit + describe(guard, equations.orbit(), rigid) + why_order_matters(equations, guard)};
 }
 
 // What the step from a point does not decide.

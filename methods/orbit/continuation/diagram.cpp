@@ -91,7 +91,10 @@ class DiagramTracer {
     const std::string origin = fmt::format("start at {:.10g}", equations.parameter());
     const auto half = [&](double sign) {
       return trace_curve(
-          family_, {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none},
+          family_,
+          in_order_along(
+              family_,
+              {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none}),
           limits_);
     };
     const TracedCurve forward = half(1.0);
@@ -103,9 +106,14 @@ class DiagramTracer {
     if (!forward.rejected.empty() && !backward.rejected.empty())
       return note(origin + ": " + forward.rejected);
     const auto usable = [](const TracedCurve& curve) { return curve.rejected.empty(); };
-    queue_.keep(!usable(backward)  ? forward.branch
-                : !usable(forward) ? backward.branch
-                                   : joined(backward.branch, forward.branch));
+    if (usable(forward) && usable(backward) && forward.branch.sequence != backward.branch.sequence) {
+      queue_.keep(backward.branch);  // impacts of one instant at the start, in either order
+      queue_.keep(forward.branch);
+    } else {
+      queue_.keep(!usable(backward)  ? forward.branch
+                  : !usable(forward) ? backward.branch
+                                     : joined(backward.branch, forward.branch));
+    }
     for (const TracedCurve* curve : {&forward, &backward}) {
       if (usable(*curve)) leave(*curve);
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "methods/orbit/family/branch_point.hpp"
+#include "methods/orbit/impact_orders.hpp"
 
 namespace signorini {
 
@@ -68,14 +69,20 @@ SolutionPoint solution_point(const ExtendedEquations& equations, const Station& 
   SolutionPoint point{.parameter = equations.parameter(),
                       .frequency = equations.frequency(),
                       .order = equations.orbit().order,
-                      .stability = stability_of(equations, station.tests.multipliers),
                       .multipliers = station.tests.multipliers};
+  const OrbitGuess orbit = orbit_at(equations);
+  if (simultaneous_coupling(equations.model().dynamics, orbit) != ImpactCoupling::none) {
+    OrbitMultipliers own = multipliers_of_orbit(*equations.shared_model(), orbit, equations.equations());
+    if (!own.undefined.empty()) point.undefined = describe_orders(own);
+    point.multipliers = std::move(own.values);
+  }
+  point.stability = stability_of(equations, point.multipliers);
   for (const SequenceEvent& event : equations.orbit().events) {
     const bool closes = event.kind == ContactEvent::Kind::close && !equations.model().dynamics.rigid();
     if (event.kind == ContactEvent::Kind::impact || closes) ++point.impacts;
   }
   if (point.stability == OrbitStability::undefined) point.multipliers.resize(0);
-  if (!equations.family().driven()) point.energy = energy_of(equations.model(), orbit_at(equations).start);
+  if (!equations.family().driven()) point.energy = energy_of(equations.model(), orbit.start);
   for (Eigen::Index j = 0; j < station.survey.highest.size(); ++j) {
     point.x_max.push_back(station.survey.highest[j]);
     point.amplitude.push_back(0.5 * (station.survey.highest[j] - station.survey.lowest[j]));

@@ -10,8 +10,10 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/grazing_families.hpp"
+#include "methods/orbit/family/branch_point.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
+#include "methods/orbit/impact_orders.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/products.hpp"
@@ -92,6 +94,64 @@ std::optional<CurveStart> start_where_grows(OrbitFamily& family, const Sequenced
                     .origin = std::move(origin)};
 }
 
+namespace {
+
+// How fast events of one instant that follow each other part along a way: the least and the largest rate.
+struct Parting {
+  double least = 0.0, largest = 0.0;
+};
+constexpr double kParts = 1e-7;
+
+Parting parting(const SequencedOrbit& orbit, const Eigen::VectorXd& way) {
+  Parting found;
+  for (Eigen::Index i = 1; i < orbit.count(); ++i) {
+    if (orbit.phase(i) - orbit.phase(i - 1) > kOneInstant) continue;
+    const double rate = way[orbit.states() + i] - way[orbit.states() + i - 1];
+    found.least = std::min(found.least, rate);
+    found.largest = std::max(found.largest, std::abs(rate));
+  }
+  return found;
+}
+
+// All orders of impacts of one instant that do not feel each other through the mass, that of the orbit first.
+std::vector<std::vector<std::size_t>> exchanged_orders(OrbitFamily& family, const SequencedOrbit& orbit) {
+  std::vector<double> phases;
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) phases.push_back(orbit.phase(i));
+  const auto model = family.model(orbit.x[orbit.x.size() - 1] * family.units().parameter);
+  return impact_orders(model->dynamics.structure(), orbit.events, phases, true);
+}
+
+// What belongs to the events of an orbit, phases or rates, in another order.
+Eigen::VectorXd in_order(const Eigen::VectorXd& x, Eigen::Index states,
+                         const std::vector<std::size_t>& order) {
+  Eigen::VectorXd moved = x;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    moved[states + static_cast<Eigen::Index>(i)] = x[states + static_cast<Eigen::Index>(order[i])];
+  return moved;
+}
+
+SequencedOrbit in_order(const SequencedOrbit& orbit, const std::vector<std::size_t>& order) {
+  SequencedOrbit result = orbit;
+  result.events = reordered(orbit.events, orbit.closed, order);
+  result.x = in_order(orbit.x, orbit.states(), order);
+  return result;
+}
+
+}  // namespace
+
+CurveStart in_order_along(OrbitFamily& family, CurveStart start) {
+  if (parting(start.orbit, start.tangent).least >= -kParts) return start;
+  for (const auto& order : exchanged_orders(family, start.orbit)) {
+    const SequencedOrbit other = in_order(start.orbit, order);
+    const Eigen::VectorXd tangent = in_order(start.tangent, start.orbit.states(), order);
+    if (parting(other, tangent).least < -kParts) continue;
+    start.orbit = other;
+    start.tangent = tangent;
+    break;
+  }
+  return start;
+}
+
 std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbit& orbit) {
   const auto quiet = with_quiet_section(family, orbit);
   if (!quiet) return std::nullopt;
@@ -114,21 +174,39 @@ std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbi
     way.segment(states, m) = follow;
     way.segment(states + m, m) = -follow;
   }
-  return CurveStart{.orbit = repeated(*quiet, 2),
-                    .tangent = way.normalized(),
-                    .origin = fmt::format("period doubling at {:.10g}", equations.parameter()),
-                    .leaves = LeftBranch::repetition};
+  return in_order_along(family, {.orbit = repeated(*quiet, 2),
+                                 .tangent = way.normalized(),
+                                 .origin = fmt::format("period doubling at {:.10g}", equations.parameter()),
+                                 .leaves = LeftBranch::repetition});
 }
 
-std::vector<CurveStart> start_crossing(const OrbitFamily& family, const SequencedOrbit& orbit,
+std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
                                        const Eigen::VectorXd& across) {
+  constexpr double kReach = 1e-3;  // in CurveUnits
   const double parameter = orbit.x[orbit.x.size() - 1] * family.units().parameter;
   std::vector<CurveStart> starts;
-  for (const double sign : {1.0, -1.0})
-    starts.push_back({.orbit = orbit,
-                      .tangent = sign * across,
-                      .origin = fmt::format("branch point at {:.10g}", parameter),
-                      .leaves = LeftBranch::crossing});
+  const auto add = [&](const SequencedOrbit& at, const Eigen::VectorXd& x, const Eigen::VectorXd& way) {
+    for (const double sign : {1.0, -1.0}) {
+      if (parting(at, sign * way).least < -kParts) continue;
+      starts.push_back({.orbit = at,
+                        .tangent = sign * way,
+                        .origin = fmt::format("branch point at {:.10g}", parameter),
+                        .leaves = LeftBranch::crossing});
+      starts.back().orbit.x = x;
+    }
+  };
+  add(orbit, orbit.x, across);
+  if (parting(orbit, across).largest < kParts) return starts;
+  const auto orders = exchanged_orders(family, orbit);
+  for (std::size_t k = 1; k < orders.size(); ++k) {
+    const SequencedOrbit other = in_order(orbit, orders[k]);
+    ExtendedEquations equations(family, other);
+    if (!equations.evaluate(other.x)) continue;
+    const auto point = solve_branch_point(equations, other.x, kReach);
+    if (!point) continue;
+    const bool first = parting(other, point->first).largest > parting(other, point->second).largest;
+    add(other, point->x, first ? point->first : point->second);
+  }
   return starts;
 }
 

@@ -34,15 +34,21 @@ using OrbitQuantity = std::function<double(const ExtendedEquations&)>;
 std::optional<CurveStart> start_where_grows(OrbitFamily& family, const SequencedOrbit& orbit,
                                             const OrbitQuantity& quantity, std::string origin);
 
+/// The start with impacts of one instant, those that do not feel each other through the mass, in the order in
+/// which they part along its tangent.
+CurveStart in_order_along(OrbitFamily& family, CurveStart start);
+
 /// The doubled orbit at an orbit with a multiplier -1, and the way to it: with M phi = -phi and the instants
 /// following by dtheta = -(dh/dtheta)^-1 (dh/dy) phi, along (phi, dtheta, -dtheta, 0). The other way leads to
-/// the same orbits, one period later.
+/// the same orbits, one period later. Impacts of one instant take the order in which they part on it.
 std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbit& orbit);
 
-/// At a branch point both ways along the other curve through it.
+/// At a branch point both ways along the other curve through it. Where impacts of one instant part along it,
+/// each way is that of the order in which they do: what crosses the symmetric orbits of another order is
+/// solved for with its equations.
 ///
 /// \param across  its unit tangent
-std::vector<CurveStart> start_crossing(const OrbitFamily& family, const SequencedOrbit& orbit,
+std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
                                        const Eigen::VectorXd& across);
 
 /// An orbit that grazes rigid stops, without the impacts.

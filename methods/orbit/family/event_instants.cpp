@@ -50,7 +50,9 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
     const auto at = newton_zero_near(distance, {.guess = guess,
                                                 .reach = brief ? 0.5 * flight : kFarthest / omega,
                                                 .accepted = brief ? kSameFlight * flight : kSame / omega});
-    if (!at || !(*at > time)) return std::nullopt;
+    // Those of one instant come in either order to rounding.
+    const bool other = i > 0 && orbit.events[index - 1].contact != j;
+    if (!at || !(*at > time - (other ? kSame / omega : 0.0))) return std::nullopt;
     time = *at;
     phases[i] = time * omega - orbit.section;
     shift = phases[i] - x[2 * n + i];

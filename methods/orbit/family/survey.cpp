@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "methods/flow/impact_groups.hpp"
 #include "methods/orbit/arc_scan.hpp"
 
 namespace signorini {
@@ -73,12 +74,13 @@ class Surveyor {
     const double phase = orbit_.phase(i);
     if (orbit_.count() > 1) {
       const double before = i == 0 ? orbit_.phase(orbit_.count() - 1) - orbit_.end() : orbit_.phase(i - 1);
-      add(GuardKind::interval, number, phase - before, phase);
+      add(GuardKind::interval, number, (phase - before) * interval_weight(equations_, i), phase);
     }
     if (event.kind != ContactEvent::Kind::open)
       add(GuardKind::approach, number, equations_.equations().crossings()[index].approach / V_, phase);
     const LinearArc& after = *equations_.equations().arcs()[index + 1];
     const double time = equations_.time_of(phase);
+    if (event.pushed.size() > 1) together(i, time);
     if (event.kind == ContactEvent::Kind::close && dynamics_.rigid())
       add(GuardKind::landing, number,
           -after.force(event.contact, time) / dynamics_.force_scale(event.contact), phase);
@@ -87,6 +89,21 @@ class Surveyor {
         event.pushed.size() == 1)
       add(GuardKind::release, number,
           -after.displacement(event.contact, time, 2) / (V_ * equations_.frequency()), phase);
+  }
+
+  void together(Eigen::Index i, double time) {
+    constexpr double kTogether = 1e-9;
+    const auto index = static_cast<std::size_t>(i);
+    const LinearArc& before = *equations_.equations().arcs()[index];
+    double apart = 0.0;
+    int struck = 0;
+    for (const int j : orbit_.events[index].pushed) {
+      if (before.mode().closed(j)) continue;
+      ++struck;
+      apart = std::max(apart, std::abs(dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_);
+    }
+    if (struck < 2) return;
+    add(GuardKind::together, static_cast<int>(i), kTogether - apart, orbit_.phase(i));
   }
 
   // Local maxima of other contacts that the jump of their velocity makes.
@@ -99,7 +116,8 @@ class Surveyor {
     const double phase = orbit_.phase(i), time = equations_.time_of(phase);
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       if (j == event.contact || before.mode().closed(j) || after.mode().closed(j)) continue;
-      if (dynamics_.structure().delassus(j, event.contact) == 0.0) continue;
+      if (std::ranges::find(event.pushed, j) != event.pushed.end()) continue;  // it is struck, too
+      if (!feel_through_mass(dynamics_.structure(), j, event.contact)) continue;
       if (!(before.displacement(j, time, 1) > 0.0 && after.displacement(j, time, 1) <= 0.0)) continue;
       lower(GuardKind::corner, j, (dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_, phase,
             i);
@@ -167,6 +185,11 @@ const OrbitGuard* OrbitSurvey::find(GuardKind kind, int index) const {
   return found == guards.end() ? nullptr : &*found;
 }
 
+double interval_weight(const ExtendedEquations& equations, Eigen::Index event) {
+  constexpr double kOvertaking = 1e-3;
+  return event > 0 && equations.equations().may_overtake(event, event - 1) ? kOvertaking : 1.0;
+}
+
 OrbitSurvey survey(const ExtendedEquations& equations) { return Surveyor(equations).run(); }
 
 std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind kind, int index) {
@@ -216,6 +239,8 @@ std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool 
       return fmt::format("contact {} closes without a force", event().contact);
     case GuardKind::release:
       return fmt::format("contact {} begins to stick", event().contact);
+    case GuardKind::together:
+      return fmt::format("contacts strike no longer at one instant with contact {}", event().contact);
   }
   return {};
 }

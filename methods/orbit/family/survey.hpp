@@ -13,13 +13,18 @@ namespace signorini {
 /// What a test function of admissibility measures.
 enum class GuardKind {
   approach,   ///< of an event: x'_- of an impact or closing over V
-  interval,   ///< of an event: theta_i - theta_{i-1}, around the period for the first [rad]
+  interval,   ///< of an event: theta_i - theta_{i-1}, around the period for the first, times its weight [rad]
   clearance,  ///< of a contact: least g_j - x_j over X at the local maxima of x_j while it is open
   corner,     ///< the same at an impact of another contact, where x_j turns back
   pressure,   ///< of a contact: least -lambda_j, over its scale, at the local maxima while it is closed
   landing,    ///< of a closing: -lambda_j just after it, over its scale
   release,    ///< of an impact without restitution: -x''_j after it, over omega V
+  together,   ///< of an event that strikes several contacts: 1e-9 - the largest |g_j - x_j| of them over X
 };
+
+/// The weight of the interval before an event: 1e-3 where the event may come before the one that it follows
+/// (OrbitEquations::may_overtake), as those that a symmetry holds together do to rounding; else 1.
+double interval_weight(const ExtendedEquations& equations, Eigen::Index event);
 
 /// A test function: positive where the orbit is admissible, smooth along a curve, zero where the sequence of
 /// events changes.

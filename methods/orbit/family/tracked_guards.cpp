@@ -43,13 +43,14 @@ std::vector<TrackedGuard> tracked_guards(ExtendedEquations& equations, const Eig
   for (const OrbitGuard& guard : found.guards) {
     const auto same =
         std::find_if(moved.begin(), moved.end(), [&](const OrbitGuard& other) { return other.same(guard); });
-    if (same == moved.end()) continue;
+    if (same == moved.end() || guard.kind == GuardKind::together)
+      continue;  // which has a corner where it holds
     double change = same->value - guard.value;
     if (guard.kind == GuardKind::interval) {
       // As the tangent has it: the length of a chatter's last flights is below the error of a difference.
       const Eigen::Index later = states + guard.index;
       const Eigen::Index earlier = states + (guard.index + events - 1) % events;
-      change = kStep * (tangent[later] - tangent[earlier]);
+      change = kStep * (tangent[later] - tangent[earlier]) * interval_weight(equations, guard.index);
     }
     tracked.push_back({.guard = {.guard = guard, .part = guard.index}, .rate = change / kStep});
   }

@@ -96,6 +96,34 @@ TEST(RigidEvents, AnImpactIsListedWithItsImpulse) {
   EXPECT_EQ(record.sequence[0].restitution, std::vector<double>{0.8});
 }
 
+// Two masses that reach their stops at one instant, side by side or coupled by the mass matrix.
+TEST(RigidEvents, ImpactsOfOneInstantAreOneEventEachUnlessTheMassCouplesThem) {
+  for (const double coupling : {0.0, 0.5}) {
+    Problem problem = test::stopped_chain(2, 0.8, 2);
+    problem.edit_structure([coupling](Structure& structure) {
+      structure.mass = Eigen::Matrix2d{{1.0, coupling}, {coupling, 1.0}}.sparseView();
+    });
+    const ContactDynamics dynamics(problem);
+    FlowState flow{.time = 0.0,
+                   .state = {.u = dynamics.structure().gaps, .v = Eigen::Vector2d(1.0, 2.0)},
+                   .closed = {false, false}};
+    FlowRecord record{.tangent = true, .derivative = Eigen::MatrixXd::Identity(4, 4)};
+    RigidEvents(dynamics, 1e-9).resolve(flow, 1, record);
+    EXPECT_EQ(record.events.size(), 2U);
+    EXPECT_EQ(record.order_matters, coupling != 0.0);
+    ASSERT_EQ(record.sequence.size(), coupling == 0.0 ? 2U : 1U);
+    if (coupling != 0.0) {
+      EXPECT_EQ(record.sequence[0].pushed, (std::vector<int>{0, 1}));
+      continue;
+    }
+    EXPECT_EQ(record.sequence[0].contact, 0);
+    EXPECT_EQ(record.sequence[1].contact, 1);
+    EXPECT_EQ(record.sequence[1].pushed, std::vector<int>{1});
+    // Of each mass by itself: det = e^2.
+    EXPECT_NEAR(record.derivative.determinant(), 0.8 * 0.8 * 0.8 * 0.8, 1e-12);
+  }
+}
+
 TEST(RigidEvents, AnImpactWithoutReboundIsOneClosingWithItsImpulse) {
   // The load cos(w t) = 1 presses, the spring pulls with 0.3: the mass sticks.
   const ContactDynamics dynamics(test::to_problem({.frequency = 1.0, .gap = 0.3, .restitution = 0.0}));

@@ -8,9 +8,13 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/methods/orbit/impulsive_oracle.hpp"
+#include "tests/methods/orbit/symmetric_scenes.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
 
@@ -208,6 +212,116 @@ TEST(TraceDiagram, FollowsOneImpactOfAChainAsItsClosedForm) {
     }
   }
   EXPECT_GT(compared, 50);
+}
+
+ExactOrbit orbit_from_rest(const Problem& problem) {
+  OrbitFinder finder(problem);
+  const std::vector<bool> open(static_cast<std::size_t>(problem.contact_count()), false);
+  const FlowState rest{.time = 0.0, .state = finder.model()->dynamics.at_rest(), .closed = open};
+  const SearchOptions options{.followed = 400, .shootings = 0, .expired = [] { return false; }};
+  return finder.find(OrbitGuess{.start = rest, .events = {}, .origin = "rest"}, options).orbit;
+}
+
+// The orbit of a scene that a march from rest leads to, as a start.
+SequencedOrbit marched(OrbitFamily& family, double parameter) {
+  const Problem problem = family.scene().at(parameter);
+  const ExactOrbit orbit = orbit_from_rest(problem);
+  EXPECT_TRUE(orbit.certified()) << orbit.reason;
+  return sequenced(family, orbit.trajectory->orbit(), problem.period(), problem.frequency, parameter);
+}
+
+bool strikes_together(const SolutionPoint& point) {
+  return std::abs(point.amplitude[0] - point.amplitude[1]) < 1e-9 && point.impacts == 2 * point.order;
+}
+
+// Symmetric motions are one branch, whose multipliers are those of an independent flow; what leaves it, at
+// 2.0975915 where one of them is 1, comes in mirrored pairs.
+TEST(TraceDiagram, FollowsTwinsOnceAndLeavesThemInEitherOrder) {
+  OrbitFamily family(over_frequency(test::twins({.spring = 0.5, .damper = 0.05}), 1.9, 2.6));
+  const OrbitDiagram diagram =
+      trace_diagram(family, {marched(family, 2.2)}, {.max_order = 1, .at = {2.0, 2.2, 2.4}});
+  int symmetric = 0, crossing = 0;
+  for (const OrbitBranch& branch : diagram.branches) {
+    if (branch.began.starts_with("branch point at 2.0975915")) ++crossing;
+    if (!strikes_together(branch.points[branch.points.size() / 2])) continue;
+    ++symmetric;
+    EXPECT_EQ(branch.orbits.front().events.size(), 2U);
+    EXPECT_NEAR(nearest(branch, SpecialKind::branch_point, 2.0975915), 2.097591537, 1e-7);
+    for (const SolutionPoint& point : branch.points) {
+      EXPECT_NE(point.stability, OrbitStability::stable) << point.parameter;
+      if (point.parameter < 2.0975915) {
+        EXPECT_EQ(point.stability, OrbitStability::undefined) << point.parameter;
+        EXPECT_TRUE(point.undefined.starts_with(kDependsOnOrder)) << point.undefined;
+      }
+      if (point.parameter == 2.2) {
+        EXPECT_EQ(point.stability, OrbitStability::unstable);
+        EXPECT_NEAR(point.multipliers.cwiseAbs().maxCoeff(), 2.593212, 1e-5);
+      }
+    }
+  }
+  EXPECT_EQ(symmetric, 1);
+  EXPECT_EQ(crossing, 2);
+}
+
+TEST(TraceDiagram, FollowsTwinsThatDoNotFeelEachOtherAsOne) {
+  OrbitFamily family(over_frequency(test::twins({.spring = 0.3}), 1.9, 2.6));
+  const OrbitDiagram diagram = trace_diagram(family, {marched(family, 2.2)}, {.max_order = 1});
+  const auto together = std::ranges::count_if(diagram.branches, [](const OrbitBranch& branch) {
+    return strikes_together(branch.points[branch.points.size() / 2]);
+  });
+  EXPECT_EQ(together, 1);
+  for (const OrbitBranch& branch : diagram.branches) {
+    for (const SolutionPoint& point : branch.points) EXPECT_EQ(point.undefined, "");
+  }
+}
+
+TEST(TraceDiagram, HasNoMultipliersWhereTheMassCouplesWhatStrikesTogether) {
+  OrbitFamily family(over_frequency(test::bar(0.4, 0.4, 0.1, 0.8), 2.0, 2.3));
+  const OrbitDiagram diagram = trace_diagram(family, {marched(family, 2.2)}, {.max_order = 2});
+  ASSERT_EQ(diagram.branches.size(), 1U);
+  for (const SolutionPoint& point : diagram.branches[0].points) {
+    EXPECT_EQ(point.stability, OrbitStability::undefined);
+    EXPECT_EQ(point.undefined, kDependsOnOrder);
+    EXPECT_EQ(point.multipliers.size(), 0);
+  }
+}
+
+// The gap of one of two oscillators passes that of the other: their impacts come together and part again.
+TEST(TraceDiagram, PassesImpactsThatComeTogetherUnlessTheyFeelEachOther) {
+  struct Meeting {
+    test::Twins twins;
+    std::string ends;
+  };
+  for (const Meeting& meeting :
+       {Meeting{{.spring = 0.3}, "coincide"},
+        Meeting{{.spring = 0.3, .damper = 0.02, .frequency = 2.0}, "a corner, for the derivative"}}) {
+    const ParametrisedScene scene{
+        .parameter = "contact[0].gap", .from = 0.19, .to = 0.21, .at = [&](double gap) {
+          Problem problem = test::twins(meeting.twins);
+          problem.contacts[0].gap = gap;
+          return problem;
+        }};
+    OrbitFamily family(scene);
+    // The orbit with both gaps .2, and from its sequence the one where the first is .199.
+    const Problem problem = scene.at(0.199);
+    const OrbitGuess symmetric = orbit_from_rest(scene.at(0.2)).trajectory->orbit();
+    const ExactOrbit apart = polish_sequence(std::make_shared<OrbitModel>(problem), symmetric);
+    ASSERT_TRUE(apart.certified()) << apart.reason;
+    const SequencedOrbit start =
+        sequenced(family, apart.trajectory->orbit(), problem.period(), problem.frequency, 0.199);
+    const OrbitDiagram diagram = trace_diagram(family, {start}, {.max_order = 1});
+    bool met = false, passed = false;
+    for (const OrbitBranch& branch : diagram.branches) {
+      if (branch.points[1].impacts != 2) continue;
+      for (const auto& [end, why] : {std::pair(branch.points.front().parameter, branch.began),
+                                     std::pair(branch.points.back().parameter, branch.ended)}) {
+        met |= std::abs(end - 0.2) < 1e-9 && why.find(meeting.ends) != std::string::npos;
+        passed |= end > 0.2099;
+      }
+    }
+    EXPECT_TRUE(met) << meeting.ends;
+    EXPECT_TRUE(passed) << meeting.ends;
+  }
 }
 
 }  // namespace
