@@ -127,7 +127,7 @@ bool attack_matrix(std::string_view text) {
     require(matrix.rows() == matrix.cols() && matrix.rows() >= 1, "the matrix is square");
     require_finite(matrix);
     if (matrix.rows() > kMany) return true;
-    const SparseMatrix again = read_matrix_market(market_file(matrix), "again.mtx").matrix;
+    const SparseMatrix again = read_matrix_file(market_file(matrix), "again.mtx").matrix;
     require(again.rows() == matrix.rows() && again.nonZeros() == matrix.nonZeros() &&
                 SparseMatrix(again - matrix).norm() == 0.0,
             "a matrix that is written reads the same");
