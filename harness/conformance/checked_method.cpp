@@ -8,6 +8,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/plan/deadline.hpp"
+#include "harness/run/trial.hpp"
 
 namespace signorini {
 
@@ -113,9 +114,12 @@ const Solution& CheckedMethod::answer() const {
   return *answer_;
 }
 
-Solution CheckedMethod::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const {
+Solution CheckedMethod::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const try {
   const std::unique_ptr<PreparedMethod> prepared = method_->prepare(problem);
   return prepared->solve({.guess = std::move(guess), .deadline = Deadline::after(settings_.timeout)});
+} catch (const SolveFailure& failure) {
+  if (failure.status != Status::timeout) throw;
+  return {.message = failure.what()};  // of a command that was stopped
 }
 
 CheckedMethod CheckedMethod::with(const Settings& resolution) const {

@@ -80,8 +80,8 @@ inline constexpr const char* kRepeated = "in a repeated solve: ";
 RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start);
 
-/// Thrown by the solve of a method that runs a command which crashed or printed no answer; and where a solve
-/// that is repeated has none.
+/// Thrown by the solve of a method that runs a command which crashed, was stopped or printed no answer; and
+/// where a solve that is repeated has none.
 class SolveFailure : public std::runtime_error {
  public:
   SolveFailure(Status record_status, const std::string& message, std::optional<int> ending_signal = {})

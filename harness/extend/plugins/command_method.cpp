@@ -42,6 +42,8 @@ OptionValue parse_value(const CommandOption& option, const std::string& text) {
   return option_detail::parse_double(option.name, text);
 }
 
+constexpr const char* kStoppedCommand = "the command was stopped at the time limit";
+
 /// What a command printed within its time. \throws SolveFailure
 const std::string& output_of(const CommandEnd& end) {
   if (end.unasked) {
@@ -93,7 +95,8 @@ class PreparedCommand final : public PreparedMethod {
     const CommandEnd end =
         session_ ? session_->ask(input, start.deadline) : run_command(words_, input, start.deadline);
     times_.last.reset();
-    if (end.expired) return {.message = "the command was stopped at the time limit"};
+    // By the processor time of another process, which `start` does not see.
+    if (end.expired) throw SolveFailure(Status::timeout, kStoppedCommand);
     const std::clock_t reading = std::clock();
     CommandAnswer answer = read_command_answer(output_of(end), period_);
     const std::clock_t ticks = (written - writing) + (std::clock() - reading);
@@ -168,7 +171,7 @@ class CommandMethod final : public Method, public CurveMethod {
     return description_.represents.on(problem.law).value_or(Undetermined{});
   }
 
-  /// `solve` throws SolveFailure where the command crashes or prints no answer.
+  /// `solve` throws SolveFailure where the command crashes, prints no answer or is stopped.
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override {
     return std::make_unique<PreparedCommand>(description_, problem, options());
   }
@@ -192,7 +195,7 @@ class CommandMethod final : public Method, public CurveMethod {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     BranchDiagram diagram;
     if (end.expired)
-      diagram.unfinished = "the command was stopped at the time limit";
+      diagram.unfinished = kStoppedCommand;
     else
       diagram = read_command_curve(output_of(end), scene, problem.contact_count(), limits);
     require_within(diagram.seconds.value_or(0.0), passed.count());
