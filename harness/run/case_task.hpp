@@ -13,7 +13,7 @@ namespace signorini {
 class CaseTask {
  public:
   virtual ~CaseTask() = default;
-  /// Wall time that the first answer may take [s].
+  /// Processor time that the first answer may take [s].
   [[nodiscard]] virtual double seconds() const = 0;
   /// In the process of the first round: answers and judges, then times one round.
   /// \param record      names scene, method and law

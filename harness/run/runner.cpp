@@ -25,7 +25,7 @@ double answer_seconds(const Limits& limits, std::span<const Job> jobs) {
   return task ? jobs.front().task->seconds() : enforced(limits.timeout);
 }
 
-/// Wall time of each stage: the first solve, a round of timing, the measures, the certificate; then the end
+/// Processor time of each stage: the first solve, a round of timing, the measures, the certificate; then the end
 /// of the process. On a large structure the measures cost what the set-up did: both find receptances.
 IsolationLimits first_round_limits(const Limits& limits, double solve) {
   return {.stage_seconds = {solve, solve + kQuickSeconds, solve + kQuickSeconds,
