@@ -51,12 +51,22 @@ std::vector<bool> last_impacts(const ExtendedEquations& equations) {
   return last;
 }
 
-// A period may be said to begin at any of its events.
-std::vector<int> least_rotation(const std::vector<int>& events) {
-  std::vector<int> least = events, rotated = events;
-  for (std::size_t i = 1; i < events.size(); ++i) {
-    std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
-    least = std::min(least, rotated);
+// A period may be said to begin after any of its longest breaks: never between events of one instant, whose
+// order would be lost.
+std::vector<int> least_rotation(const std::vector<int>& events, const std::vector<double>& phases,
+                                double end) {
+  constexpr double kLonger = 1e-6;  // rad
+  const auto before = [&](std::size_t i) {
+    return phases[i] - (i == 0 ? phases.back() - end : phases[i - 1]);
+  };
+  double longest = 0.0;
+  for (std::size_t i = 0; i < events.size(); ++i) longest = std::max(longest, before(i));
+  std::vector<int> least;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (before(i) < longest - kLonger) continue;
+    std::vector<int> rotated = events;
+    std::ranges::rotate(rotated, rotated.begin() + static_cast<std::ptrdiff_t>(i));
+    if (least.empty() || rotated < least) least = std::move(rotated);
   }
   return least;
 }
@@ -67,13 +77,15 @@ OrbitMark mark_of(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
   OrbitMark mark{.parameter = orbit.x[orbit.x.size() - 1], .order = orbit.order};
   const std::vector<bool> tail = last_impacts(equations);
+  std::vector<double> phases;
   for (std::size_t i = 0; i < orbit.events.size(); ++i) {
     const double speed = equations.equations().crossings()[i].approach / equations.family().units().velocity;
     if (tail[i]) continue;
     mark.events.emplace_back(3 * orbit.events[i].contact + static_cast<int>(orbit.events[i].kind), speed);
+    phases.push_back(orbit.phase(static_cast<Eigen::Index>(i)));
   }
   for (const auto& [event, speed] : mark.events) mark.order_of_events.push_back(event);
-  mark.order_of_events = least_rotation(mark.order_of_events);
+  mark.order_of_events = least_rotation(mark.order_of_events, phases, orbit.end());
   std::sort(mark.events.begin(), mark.events.end());
   return mark;
 }

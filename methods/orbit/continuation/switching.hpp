@@ -17,7 +17,8 @@ struct OrbitMark {
   int order = 1;           ///< forcing periods [-]
   /// Kind and contact of each event, and its approach speed over V [-], sorted.
   std::vector<std::pair<int, double>> events = {};
-  /// Kind and contact of each event in their order in time, from wherever this list is least.
+  /// Kind and contact of each event in their order in time, from after the longest break between two, of
+  /// several the one from which this list is least.
   std::vector<int> order_of_events = {};
   /// To 1e-6 in the parameter and 1e-4 in the speeds, or `loosely` to a hundred times that.
   [[nodiscard]] bool same(const OrbitMark& other, bool loosely = false) const;
