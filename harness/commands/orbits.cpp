@@ -51,14 +51,11 @@ Table orbit_table(const std::vector<FoundOrbit>& orbits) {
                   "amplitude [m]", "multiplier", "stability", "starts"};
   for (const FoundOrbit& orbit : orbits) {
     const std::optional<double> multiplier = orbit.largest_multiplier();
-    const std::optional<bool>& stable = orbit.certified.stable;
+    const std::string stability = stability_word(orbit.certified.stable, orbit.certified.undefined);
     table.rows.push_back({orbit.fingerprint + (orbit.from_rest ? " *" : ""), orbit_number(orbit.order),
                           orbit_number(orbit.impacts()), orbit_number(orbit.contact_phases()),
                           orbit_number(orbit.amplitude), multiplier ? orbit_number(*multiplier) : Cell("-"),
-                          !stable   ? "-"
-                          : *stable ? "stable"
-                                    : "unstable",
-                          orbit_number(orbit.starts)});
+                          stability.empty() ? "-" : stability, orbit_number(orbit.starts)});
   }
   return table;
 }
@@ -73,6 +70,8 @@ std::string orbit_notes(const std::vector<FoundOrbit>& orbits) {
   for (const FoundOrbit& orbit : orbits) {
     if (orbit.certified.source.find("chatter") != std::string::npos)
       note(orbit.fingerprint + ": after these impacts complete chatter, infinitely many");
+    if (!orbit.certified.undefined.empty())
+      note(fmt::format("{}: stability undefined: {}", orbit.fingerprint, orbit.certified.undefined));
     if (!orbit.cold.empty())
       note(orbit.fingerprint + ": from a cold start also by " + method_names(orbit.cold));
   }

@@ -188,6 +188,9 @@ class Attempts {
     certificate.return_distance = known.return_distance;
     certificate.floquet = known.floquet;
     certificate.stable = known.stable;
+    certificate.stability = known.stability;
+    certificate.undefined = known.undefined;
+    certificate.orders = known.orders;
     certificate.orbit = fingerprint(orbit);
     if (from_rest_) {
       certificate.same_orbit = same_orbit(orbit, *from_rest_);

@@ -7,6 +7,7 @@
 #include <complex>
 #include <exception>
 #include <functional>
+#include <map>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -23,30 +24,36 @@ namespace {
 
 constexpr int kNormInstants = 4096;
 
+/// Those of every contact that changes or strikes; what a resting one passes on is none of its own.
 std::vector<OrbitEvent> events_of(const ExactTrajectory& orbit) {
   std::vector<OrbitEvent> events;
-  const double period = orbit.period();
-  const std::vector<Impulse> impulses = orbit.impulses();
-  for (const SequenceEvent& event : orbit.orbit().events) {
-    OrbitEvent listed{wrapped_time(event.time, period), orbit.scene_contact(event.contact), event.kind, {}};
-    for (const Impulse& impulse : impulses) {
-      const double apart =
-          std::abs(wrapped_time(impulse.time - event.time + 0.5 * period, period) - 0.5 * period);
-      if (impulse.contact == listed.contact && apart <= 1e-12 * period) listed.value = impulse.value;
-    }
-    events.push_back(std::move(listed));
+  std::map<int, bool> closed;  // of the contacts that act
+  const std::vector<int> acting = orbit.acting_contacts();
+  for (std::size_t j = 0; j < acting.size(); ++j) closed[acting[j]] = orbit.orbit().start.closed[j];
+  const double start = orbit.orbit().start.time, period = orbit.period();
+  std::vector<ContactEvent> listed = orbit.events().value_or(std::vector<ContactEvent>{});
+  std::ranges::stable_sort(
+      listed, {}, [&](const ContactEvent& event) { return wrapped_time(event.time - start, period); });
+  for (const ContactEvent& event : listed) {
+    const bool passes_on = event.kind == ContactEvent::Kind::impact && closed[event.contact];
+    if (event.kind != ContactEvent::Kind::impact)
+      closed[event.contact] = event.kind == ContactEvent::Kind::close;
+    if (passes_on) continue;
+    events.push_back({.time = event.time, .contact = event.contact, .kind = event.kind});
+    if (event.impulse != 0.0) events.back().value = event.impulse;
   }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const OrbitEvent& a, const OrbitEvent& b) { return a.time < b.time; });
+  std::ranges::stable_sort(events, {}, &OrbitEvent::time);
   return events;
 }
 
-/// The error bar of the motion, relative to X, as one of x in the mean square.
+/// The error bar of the motion, relative to X, as one of x in the mean square; of contacts at rest, whose x
+/// is rounding about its mean wherever the origin is, relative to X.
 double relative_error_bar(const ExactOrbit& orbit, const Trajectory& motion, double displacement_scale) {
   const Samples samples = motion.sample(kNormInstants);
   if (samples.x.size() == 0) return orbit.error_bar;
+  constexpr double kAtRest = 1e-12;  // of X
   const double norm = std::sqrt((samples.x.rowwise() - samples.x.colwise().mean()).array().square().mean());
-  return norm > 0.0 ? orbit.error_bar * displacement_scale / norm : orbit.error_bar;
+  return norm > kAtRest * displacement_scale ? orbit.error_bar * displacement_scale / norm : orbit.error_bar;
 }
 
 /// True if small disturbances decay; empty where no multiplier is defined or round-off would decide.
@@ -59,10 +66,14 @@ std::optional<bool> stability(const ExactOrbit& orbit) {
 }
 
 void take_multipliers(const ExactOrbit& found, CertifiedOrbit& orbit) {
-  orbit.floquet.emplace();
+  if (!found.undefined.empty())
+    orbit.undefined = describe_orders({.undefined = found.undefined, .orders = found.orders});
+  for (const ImpactOrder& order : found.orders) orbit.orders.push_back({order.contacts, order.largest});
+  if (found.multipliers.size() > 0) orbit.floquet.emplace();
   for (const std::complex<double>& multiplier : found.multipliers)
     orbit.floquet->emplace_back(multiplier.real(), multiplier.imag());
   orbit.stable = stability(found);
+  orbit.stability = stability_word(orbit.stable, orbit.undefined);
 }
 
 /// True if two orbits have the same events, each within the error bars of both: times in periods, impulses

@@ -31,6 +31,9 @@ struct CertifiedOrbit {
   std::optional<double> return_distance = {};  ///< of one period by CVODE, in the scales of the motion [-]
   std::optional<FloquetMultipliers> floquet = {};
   std::optional<bool> stable = {};
+  std::string stability = {};  ///< stability_word
+  std::string undefined = {};  ///< why there are no multipliers
+  std::vector<OrderOfImpacts> orders = {};
 };
 
 /// Follows the flow of a problem under its own law to a periodic motion, as `find_periodic_motion` does.

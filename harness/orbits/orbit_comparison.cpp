@@ -135,8 +135,8 @@ std::string multiplier_difference(const FoundOrbit& kept, const FoundOrbit& now)
 }
 
 std::string stability(const FoundOrbit& orbit) {
-  if (!orbit.certified.stable) return "of unknown stability";
-  return *orbit.certified.stable ? "stable" : "unstable";
+  const std::string word = stability_word(orbit.certified.stable, orbit.certified.undefined);
+  return word.empty() ? "of unknown stability" : word == "undefined" ? "of undefined stability" : word;
 }
 
 /// Adds a line for each difference between an orbit kept and the one found again.
@@ -149,7 +149,7 @@ void compare_pair(const std::string& name, const FoundOrbit& kept, const FoundOr
     differ("fingerprint became " + now.fingerprint);
   }
   if (const std::string text = multiplier_difference(kept, now); !text.empty()) differ(text);
-  if (kept.certified.stable != now.certified.stable) differ(stability(kept) + " became " + stability(now));
+  if (stability(kept) != stability(now)) differ(stability(kept) + " became " + stability(now));
   if (kept.from_rest != now.from_rest)
     differ(kept.from_rest ? "is no longer the one reached from rest" : "became the one reached from rest");
 }

@@ -46,6 +46,9 @@ void visit_fields(Either<FoundOrbit> auto& orbit, auto&& field) {
   field(Field{"return_distance"}, orbit.certified.return_distance);
   field(Field{"floquet"}, orbit.certified.floquet);
   field(Field{"stable"}, orbit.certified.stable);
+  field(Field{"stability"}, orbit.certified.stability);
+  field(Field{"stability_reason"}, orbit.certified.undefined);
+  field(Field{"orders"}, orbit.certified.orders);
   field(required("from_rest"), orbit.from_rest);
   field(required("starts"), orbit.starts);
   field(required("found_by"), orbit.cold);

@@ -36,8 +36,10 @@ std::string portrait_block(const Samples& motion, Eigen::Index contact) {
 }
 
 std::string title_of(const FoundOrbit& orbit) {
-  const auto& stable = orbit.certified.stable;
-  const char* stability = !stable ? "stability unknown" : *stable ? "stable" : "unstable";
+  const std::string word = stability_word(orbit.certified.stable, orbit.certified.undefined);
+  const std::string stability = word.empty()          ? "stability unknown"
+                                : word == "undefined" ? "stability undefined"
+                                                      : word;
   return fmt::format("{}: order {}, {}", orbit.fingerprint, orbit.order, stability);
 }
 

@@ -16,6 +16,15 @@ std::string_view status_name(Status status) {
 
 std::string resolution_of(const Record& record) { return method_label(record.method, record.settings); }
 
+std::string stability_word(std::optional<bool> stable, const std::string& undefined) {
+  if (stable) return *stable ? "stable" : "unstable";
+  return undefined.empty() ? "" : "undefined";
+}
+
+std::string stability_words(std::optional<bool> stable, const std::string& undefined) {
+  return stability_word(stable, undefined) + (stable || undefined.empty() ? "" : ": " + undefined);
+}
+
 std::string law_text(const RepresentedLaw& law) {
   struct Printer {
     std::string operator()(std::monostate) const { return "no contact"; }

@@ -100,6 +100,13 @@ struct OrbitEvent {
 /// Real and imaginary parts.
 using FloquetMultipliers = std::vector<std::pair<double, double>>;
 
+/// An order in which impacts of one instant that feel each other may follow each other, and the largest
+/// multiplier, in magnitude, of the part of the period map that belongs to it.
+struct OrderOfImpacts {
+  std::vector<std::vector<int>> contacts = {};  ///< of each such instant, in their order
+  double largest = 0.0;
+};
+
 /// The rules of certificates: those of records without this number accepted the motion reached from rest as
 /// the orbit of an answer within 0.5 of it.
 inline constexpr int kCertificateRule = 2;
@@ -125,6 +132,9 @@ struct Certificate {
   Measure return_distance = {};  ///< of the orbit after one period by CVODE, in the scales of the motion
   std::optional<FloquetMultipliers> floquet = {};
   std::optional<bool> stable = {};
+  std::string stability = {};  ///< stability_word, for readers; empty in records of earlier versions
+  std::string undefined = {};  ///< why an exact orbit has no multipliers
+  std::vector<OrderOfImpacts> orders = {};  ///< of an orbit whose multipliers depend on them
 };
 
 /// Against the certified orbit, or one that is near, relative.
@@ -217,6 +227,12 @@ struct Record {
 
 /// The case without its scene: "fourier-lipschitz[harmonics=40]".
 std::string resolution_of(const Record& record);
+
+/// "stable", "unstable", "undefined", or empty where the multipliers of an exact orbit do not tell or there
+/// is none. \param undefined  why it has none
+std::string stability_word(std::optional<bool> stable, const std::string& undefined);
+/// The same with the reason: "undefined: depends on the order of simultaneous impacts"
+std::string stability_words(std::optional<bool> stable, const std::string& undefined);
 
 /// "e = 0.8", "k = 1e+06 N/m", "massless", "undetermined", "no contact".
 std::string law_text(const RepresentedLaw& law);

@@ -96,6 +96,11 @@ void visit_fields(Either<OrbitEvent> auto& event, auto&& field) {
   field(Field{"value", "N s"}, event.value);
 }
 
+void visit_fields(Either<OrderOfImpacts> auto& order, auto&& field) {
+  field(required("contacts"), order.contacts);
+  field(required("largest"), order.largest);
+}
+
 void visit_fields(Either<Certificate> auto& certificate, auto&& field) {
   // An orbit without any event has an empty list; where there is no orbit, there is no list.
   const bool has_orbit = certificate.status == CertificateStatus::certified;
@@ -117,6 +122,9 @@ void visit_fields(Either<Certificate> auto& certificate, auto&& field) {
   field(Field{"return_distance"}, certificate.return_distance);
   field(Field{"floquet"}, certificate.floquet);
   field(Field{"stable"}, certificate.stable);
+  field(Field{"stability"}, certificate.stability);
+  field(Field{"stability_reason"}, certificate.undefined);
+  field(Field{"orders"}, certificate.orders);
 }
 
 void visit_fields(Either<Errors> auto& errors, auto&& field) {

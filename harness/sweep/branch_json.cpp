@@ -41,6 +41,7 @@ void add_point(Json& json, const SolutionPoint& point) {
   json["impacts"] = point.impacts;
   json["stable"] = told ? Json(point.stability == OrbitStability::stable) : Json();
   json["stability"] = enum_name(point.stability);
+  if (!point.undefined.empty()) json["stability_reason"] = point.undefined;
   json["multipliers"] = multipliers_json(point.multipliers);
   if (point.parameter != point.frequency) json["value"] = point.parameter;
   if (point.energy) json["energy"] = *point.energy;
@@ -103,6 +104,7 @@ SolutionPoint point_from_json(const Json& json) {
   point.x_max = numbers_of_json(json.at("x_max"));
   point.impacts = static_cast<int>(count_of_json(json, "impacts", 0, kMostImpacts));
   point.stability = enum_from_name<OrbitStability>("stability", json.at("stability").get<std::string>());
+  point.undefined = json.value("stability_reason", "");
   const auto& multipliers = json.at("multipliers").get_ref<const Json::array_t&>();
   point.multipliers.resize(static_cast<Eigen::Index>(multipliers.size()));
   for (std::size_t i = 0; i < multipliers.size(); ++i)
@@ -175,6 +177,7 @@ SweepPoint step_from_json(const Json& json) {
     if (json.contains("amplitude")) step.amplitude = numbers_of_json(json.at("amplitude"));
     if (json.contains("contact_ratio")) step.contact_ratio = number_of_json(json.at("contact_ratio"));
     if (json.contains("stable")) step.stable = json.at("stable").get<bool>();
+    step.undefined = json.value("stability_reason", std::string());
     return step;
   });
 }

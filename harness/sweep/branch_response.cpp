@@ -195,12 +195,10 @@ Table branch_table(const std::vector<MethodResponse>& responses, std::size_t fir
     for (std::size_t i = 0; i < response.diagram.branches.size(); ++i)
       add(table, name, first + i, response.diagram.branches[i]);
     for (const SweepPoint& step : response.steps) {
+      const std::string stability = stability_word(step.stable, step.undefined);
       table.rows.push_back({name, number_of(0), number_of(step.frequency), number_of(response.order), "-",
                             largest_cell(step.x_max), largest_cell(step.amplitude),
-                            !step.stable   ? "-"
-                            : *step.stable ? "stable"
-                                           : "unstable",
-                            std::string(status_name(step.status))});
+                            stability.empty() ? "-" : stability, std::string(status_name(step.status))});
     }
   }
   return table;

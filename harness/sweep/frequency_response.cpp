@@ -42,6 +42,7 @@ SweepPoint point_of(const Record& record, double frequency, bool down) {
   SweepPoint point{.frequency = frequency, .down = down, .status = record.status, .message = record.message};
   point.contact_ratio = record.physics.contact_ratio;
   point.stable = record.certificate.stable;
+  point.undefined = record.certificate.undefined;
   point.seconds = record.processor.solve;
   if (!record.trajectory) return point;
   if (record.period) point.motion = SweptMotion{.period = *record.period, .x = record.trajectory->x};
@@ -101,8 +102,8 @@ Measure largest(const std::vector<double>& values) {
 std::string_view way_name(const SweepPoint& point) { return point.down ? "down" : "up"; }
 
 std::string stability_text(const SweepPoint& point) {
-  if (!point.stable) return "-";
-  return *point.stable ? "stable" : "unstable";
+  const std::string word = stability_word(point.stable, point.undefined);
+  return word.empty() ? "-" : word;
 }
 
 }  // namespace
@@ -178,6 +179,9 @@ nlohmann::ordered_json to_json(const SweepPoint& point) {
   if (!point.amplitude.empty()) json["amplitude"] = point.amplitude;
   if (point.contact_ratio) json["contact_ratio"] = *point.contact_ratio;
   if (point.stable) json["stable"] = *point.stable;
+  const std::string word = stability_word(point.stable, point.undefined);
+  if (!word.empty()) json["stability"] = word;
+  if (!point.undefined.empty()) json["stability_reason"] = point.undefined;
   return json;
 }
 

@@ -43,6 +43,7 @@ struct SweepPoint {
   std::vector<double> amplitude = {};      ///< half of largest less least x of each contact [m]
   Measure contact_ratio = {};              ///< share of the period with contact [-]
   std::optional<bool> stable = {};         ///< of the certified orbit, if it was certified
+  std::string undefined = {};              ///< why it has no multipliers
   Measure seconds = {};                    ///< processor time of set-up and solve [s]
   std::optional<SweptMotion> motion = {};  ///< of a point that was solved
 };
@@ -71,7 +72,7 @@ Table response_table(const std::vector<SweepPoint>& points, bool certified,
                      const std::string& other_law = {});
 
 /// Keys `frequency`, `way` ("up" or "down", as the frequency goes), `status`, `message`, `x_max`,
-/// `amplitude`, `contact_ratio`, `stable`; absent where a notion is.
+/// `amplitude`, `contact_ratio`, `stable`, `stability`, `stability_reason`; absent where a notion is.
 nlohmann::ordered_json to_json(const SweepPoint& point);
 
 }  // namespace signorini

@@ -167,8 +167,8 @@ std::string orbit_lines(const Certificate& certificate, bool verbose) {
   std::string text =
       named_text(certified ? "certified by orbit" : "uncertified", certificate_words(certificate));
   if (!certified) return text;
-  std::string stability =
-      certificate.stable ? (*certificate.stable ? "stable" : "unstable") : "not determined";
+  std::string stability = stability_words(certificate.stable, certificate.undefined);
+  if (stability.empty()) stability = "not determined";
   if (certificate.floquet && !certificate.floquet->empty())
     stability += ", multipliers " + multipliers(*certificate.floquet, verbose);
   return text + named_text("stability", stability);

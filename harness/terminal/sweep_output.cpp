@@ -23,15 +23,19 @@ std::string point_line(const SolutionPoint& point, const std::string& words) {
 /// "all stable", "30 stable, 36 unstable": how many points are what.
 std::string stability_counts(const std::vector<SolutionPoint>& points) {
   std::string text;
-  for (const OrbitStability stability : {OrbitStability::stable, OrbitStability::elliptic,
-                                         OrbitStability::unstable, OrbitStability::unknown}) {
-    const auto count = std::ranges::count(points, stability, &SolutionPoint::stability);
-    if (count == 0) continue;
-    const std::string word =
-        stability == OrbitStability::unknown ? "of unknown stability" : describe(stability);
-    if (count == std::ssize(points)) return "all " + word;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
-  }
+  const auto tell = [&](std::ptrdiff_t count, const std::string& word) {
+    if (count == std::ssize(points)) {
+      text = "all " + word;
+    } else if (count > 0) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
+    }
+  };
+  for (const OrbitStability stability :
+       {OrbitStability::stable, OrbitStability::elliptic, OrbitStability::unstable, OrbitStability::unknown})
+    tell(std::ranges::count(points, stability, &SolutionPoint::stability),
+         stability == OrbitStability::unknown ? "of unknown stability" : describe(stability));
+  tell(std::ranges::count_if(points, [](const SolutionPoint& point) { return !point.undefined.empty(); }),
+       "undefined by the order of simultaneous impacts");
   return text.empty() ? "none with multipliers" : text;
 }
 

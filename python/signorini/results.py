@@ -35,6 +35,11 @@ def events_of(certificate: Mapping) -> tuple[Event, ...]:
                  for event in certificate.get("events", ()))
 
 
+def stability_of(certificate: Mapping) -> str:
+    word, reason = certificate.get("stability", ""), certificate.get("stability_reason", "")
+    return f"{word}: {reason}" if reason else word
+
+
 @dataclass(frozen=True)
 class Solution:
     """A periodic motion by one method, as the program judged it; Nc contacts, N instants.
@@ -121,6 +126,11 @@ class Solution:
     def stable(self) -> bool | None:
         """Whether all multipliers are inside the unit circle; None where that is not known."""
         return self.record["certificate"].get("stable")
+
+    @property
+    def stability(self) -> str:
+        """"stable", "unstable", "undefined: " and why, or empty where it is not known."""
+        return stability_of(self.record["certificate"])
 
     @property
     def seconds(self) -> float | None:
@@ -222,8 +232,13 @@ class Orbit:
 
     @property
     def stable(self) -> bool | None:
-        """None where round-off would decide."""
+        """None where round-off would decide, or it is undefined."""
         return self.record.get("stable")
+
+    @property
+    def stability(self) -> str:
+        """"stable", "unstable", "undefined: " and why, or empty where round-off would decide."""
+        return stability_of(self.record)
 
     @property
     def from_rest(self) -> bool:
@@ -244,6 +259,6 @@ class Orbit:
         return complex_array(self.record.get("floquet", ()))
 
     def __repr__(self) -> str:
-        told = {True: "stable", False: "unstable", None: "of unknown stability"}[self.stable]
+        told = {True: "stable", False: "unstable", None: f"of {self.record.get('stability', 'unknown')} stability"}[self.stable]
         return (f"Orbit({self.fingerprint}: order {self.order}, {len(self.impacts)} impacts, "
                 f"amplitude {self.amplitude:.6g} m, {told})")

@@ -201,6 +201,7 @@ class Orbits(unittest.TestCase):
         self.assertEqual((orbit.order, orbit.from_rest), (1, True))
         self.assertAlmostEqual(orbit.amplitude, scene.solve().amplitude[0], delta=1e-3)
         self.assertRegex(repr(orbit), r"order 1, 1 impacts, amplitude 0\.4375\d* m, stable")
+        self.assertEqual(orbit.stability, "stable")
 
     def test_may_be_none(self):
         self.assertEqual(Scene.load("sdof-stop").orbits(starts=0, timeout=1e-9), [])

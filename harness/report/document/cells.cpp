@@ -59,7 +59,9 @@ std::string orbit_text(const Record& record) {
         "{} (no reference: {})", name,
         shortened(certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason));
   }
-  const std::string stability = certificate.stable == false ? ", unstable" : "";
+  const std::string stability = certificate.stable == false      ? ", unstable"
+                                : !certificate.undefined.empty() ? ", stability undefined"
+                                                                 : "";
   return (*certificate.same_orbit ? "same" : fmt::format("other ({})", name)) + stability;
 }
 

@@ -48,7 +48,8 @@ std::string orbit_facts(const Evaluation& evaluation, const std::string& scene) 
   std::string text = fmt::format("The orbit reached from rest, {}", orbit.orbit.value_or("unnamed"));
   if (record.period) text += fmt::format(", repeats after {:.6g} s", *record.period);
   text += fmt::format("; events per period: {}", orbit.events.size());
-  if (orbit.stable) text += *orbit.stable ? "; stable" : "; unstable";
+  const std::string stability = stability_words(orbit.stable, orbit.undefined);
+  if (!stability.empty()) text += (orbit.stable ? "; " : "; stability ") + stability;
   if (orbit.error_bar) text += fmt::format("; known to {:.1e}", *orbit.error_bar);
   return text + ".";
 }

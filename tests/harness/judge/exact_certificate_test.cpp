@@ -6,9 +6,11 @@
 #include <complex>
 
 #include "harness/judge/certificate.hpp"
+#include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/methods/orbit/symmetric_scenes.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -132,6 +134,47 @@ TEST(ExactOrbits, LeaveTheStabilityOpenOnTheUnitCircle) {
 
 // A free mass that drifts touches nothing anywhere: its motions are a continuum, none of them an orbit by
 // itself.
+// Two copies of an oscillator: both impacts are listed, and the multipliers are those of either.
+TEST(ExactOrbits, ListImpactsOfOneInstantOneByOne) {
+  const Problem problem = test::twins({});
+  const CertifiedOrbit orbit = exact_orbits()(problem, *coarse_answer(problem), {}, Deadline::max());
+  ASSERT_NE(orbit.motion, nullptr) << orbit.reason;
+  ASSERT_EQ(orbit.events.size(), 2U);
+  EXPECT_EQ(orbit.events[0].contact + orbit.events[1].contact, 1);
+  for (const OrbitEvent& event : orbit.events) EXPECT_NEAR(event.value.value(), -0.7998435577597911, 1e-10);
+  EXPECT_EQ(orbit.stable, true);
+  EXPECT_EQ(orbit.undefined, "");
+  for (const auto& [re, im] : orbit.floquet.value()) EXPECT_NEAR(re, 0.07134665, 1e-7);
+}
+
+TEST(ExactOrbits, SayThatMultipliersDependOnTheOrderOfImpacts) {
+  const Problem problem = test::bar(0.4, 0.4, 0.1, 0.8);
+  const CertifiedOrbit orbit =
+      exact_orbits()(problem, *test::solve<ExactOrbitMethod>(problem, {}).trajectory, {}, Deadline::max());
+  ASSERT_NE(orbit.motion, nullptr) << orbit.reason;
+  EXPECT_EQ(orbit.events.size(), 2U);
+  EXPECT_FALSE(orbit.stable);
+  EXPECT_EQ(orbit.stability, "undefined");
+  EXPECT_EQ(orbit.undefined, "depends on the order of simultaneous impacts");
+  EXPECT_TRUE(orbit.orders.empty());
+}
+
+// A mass that is pressed onto its stop throughout, wherever the origin is.
+TEST(ExactOrbits, AreTheSameWhereverTheOriginIs) {
+  for (const double gap : {0.0, 0.2, -0.2, 7.0}) {
+    const Problem problem = test::to_problem({.damping = 0.1,
+                                              .load = 0.5,
+                                              .frequency = 1.3,
+                                              .gap = gap,
+                                              .restitution = 0.5,
+                                              .static_load = 2.0 + gap});
+    const CertifiedOrbit orbit = exact_orbits()(problem, *coarse_answer(problem), {}, Deadline::max());
+    ASSERT_NE(orbit.motion, nullptr) << orbit.reason;
+    EXPECT_LE(orbit.error_bar, 1e-12) << gap;
+    EXPECT_EQ(orbit.stable, true) << gap;
+  }
+}
+
 TEST(ExactOrbits, SayWhyAStructureHasNone) {
   Problem loose = test::to_problem(kStop);
   const auto answer = coarse_answer(loose);

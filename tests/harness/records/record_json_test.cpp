@@ -84,6 +84,20 @@ Record response_record() {
   return record;
 }
 
+TEST(RecordJson, HasTheOrdersOfSimultaneousImpacts) {
+  Record record = test::full_record();
+  record.certificate.stable.reset();
+  record.certificate.stability = "undefined";
+  record.certificate.undefined = "depends";
+  record.certificate.orders = {{.contacts = {{0, 1}, {2, 0}}, .largest = 0.5}};
+  const Json json = to_json(record);
+  EXPECT_EQ(json["certificate"]["stability"], "undefined");
+  EXPECT_EQ(json["certificate"]["stability_reason"], "depends");
+  EXPECT_FALSE(json["certificate"].contains("stable"));
+  EXPECT_EQ(json["certificate"]["orders"][0]["contacts"][1][0], 2);
+  EXPECT_EQ(to_json(record_from_json(Json::parse(json_line(json)))), json);
+}
+
 TEST(RecordJson, OfAResponseHasExactlyTheKeysOfTheContract) {
   const Json response = to_json(response_record())["response"];
   EXPECT_EQ(keys(response), (Keys{"way", "from", "to", "orders", "points", "comparison", "located",

@@ -28,6 +28,7 @@ Branch whole_branch() {
   branch.points = {point, point};
   branch.points[1].stability = OrbitStability::unstable;
   branch.points[1].energy.reset();
+  branch.points[0].undefined = "depends";
   branch.special = {{.kind = SpecialKind::neimark_sacker, .point = point, .text = "x", .after = 2}};
   return branch;
 }
@@ -44,6 +45,8 @@ TEST(BranchJson, ComesBackButForTheOrbits) {
   EXPECT_EQ(back.special[0].after, 2U);
   EXPECT_TRUE(json["points"][0]["stable"].is_null());
   EXPECT_EQ(json["points"][1]["stable"], false);
+  EXPECT_EQ(json["points"][0]["stability_reason"], "depends");
+  EXPECT_FALSE(json["points"][1].contains("stability_reason"));
 }
 
 TEST(BranchJson, HasNoValueOfItsOwnWhereTheParameterIsTheFrequency) {

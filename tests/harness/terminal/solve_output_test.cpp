@@ -79,6 +79,11 @@ TEST(JudgementText, NamesMultipliersByTheirSizeAndOneOfEachPair) {
   EXPECT_NE(text.find("stable, multipliers -0.5 +- 0.5i, 0.1\n"), std::string::npos) << text;
   record.certificate.stable = false;
   EXPECT_NE(judgement_text(record, {}).find("unstable, multipliers"), std::string::npos);
+  record.certificate.stable.reset();
+  record.certificate.floquet.reset();
+  EXPECT_NE(judgement_text(record, {}).find("not determined\n"), std::string::npos);
+  record.certificate.undefined = "depends on the order";
+  EXPECT_NE(judgement_text(record, {}).find("undefined: depends on the order\n"), std::string::npos);
 }
 
 TEST(JudgementText, SaysWhetherTheOrbitIsReachedFromRest) {
