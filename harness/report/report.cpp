@@ -80,25 +80,35 @@ void write_pages(const fs::path& folder, const Evaluation& evaluation, const std
   write_whole(folder / "report.html", overview_page(title, manifest, evaluation, sections, parts));
 }
 
-/// The methods that are recommended for each kind of scene, with the median time to each error.
+/// The methods that are recommended for each kind of scene, with the median time to each error, how many of
+/// the motions with at most 10 % are stable, and what decides.
 Section verdict_section(const Evaluation& evaluation) {
   Section section{.id = "verdict", .title = "Which method?"};
   section.table.header = {"scenes", "method"};
   for (const char* error : kErrorTitles) section.table.header.push_back(fmt::format("to {}", error));
+  section.table.header.insert(section.table.header.end(), {"these motions are", "what decides"});
+  const auto add_words = [&](std::string first, std::string second) {
+    section.table.rows.push_back({std::move(first), std::move(second), "-", "-", "-", "-", "-", "-"});
+  };
   for (const SceneGroup& group : scene_groups(evaluation)) {
     const auto scenes = std::ssize(group.scenes);
+    const std::string title = fmt::format("{}, {}", kind_title(group.kind), plural(scenes, "scene"));
+    if (group.is_too_small()) add_words(title, std::string(kTooFewScenes));
     for (const Standing& standing : group.standings) {
       if (!standing.recommended) continue;
-      std::vector<Cell> row{fmt::format("{}, {}", kind_title(group.kind), plural(scenes, "scene")),
-                            standing.configuration};
+      std::vector<Cell> row{title, standing.names()};
       for (const Reach& reach : standing.reach) {
         const double seconds = reach.median_seconds();
         row.emplace_back(fmt::format("{}{} of {}", std::isfinite(seconds) ? time_text(seconds) + ", " : "",
                                      reach.scenes, scenes));
       }
+      const Reach& certified = standing.reach.front();
+      row.emplace_back(stability_text(certified.stable, certified.unstable, certified.scenes));
+      row.emplace_back(standing.reason);
       section.table.rows.push_back(std::move(row));
     }
   }
+  if (!evaluation.times_remark().empty()) add_words("All", evaluation.times_remark());
   return section;
 }
 

@@ -8,7 +8,6 @@
 #include "harness/files.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/report.hpp"
-#include "harness/run_folder/record_store.hpp"
 #include "harness/run_folder/run_folder.hpp"
 #include "tests/support/data_folder.hpp"
 
@@ -19,7 +18,7 @@ TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
   const std::filesystem::path root = test::data_folder() / "../..";
   for (const std::string run : {"article", "hard", "quick", "responses", "structures"}) {
     const std::filesystem::path folder = root / "results" / run;
-    const Evaluation evaluation(read_records(folder / "records.jsonl"), limits_of_run(folder));
+    const Evaluation evaluation = evaluation_of_run(folder, limits_of_run(folder));
     const std::vector<Section> sections = document_sections(run, evaluation);
     for (const char* page : {"README.md", "docs/results.md", "docs/methods.md"}) {
       const std::string text = read_file(root / page);

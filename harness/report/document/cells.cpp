@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "harness/report/evaluation/case_result.hpp"
 
 namespace signorini {
 
@@ -48,21 +51,33 @@ std::string time_text(double seconds) {
   return fmt::format("{:.3g} s", seconds);
 }
 
+std::string stability_text(int stable, int unstable, int all) {
+  std::string text;
+  for (const auto& [count, word] : {std::pair{stable, "stable"}, std::pair{unstable, "unstable"},
+                                    std::pair{all - stable - unstable, "not determined"}}) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
+  }
+  return text.empty() ? "-" : text;
+}
+
 std::string orbit_text(const Record& record) {
   const Certificate& certificate = record.certificate;
   if (certificate.status == CertificateStatus::none) return in_place(record);
   if (certificate.status == CertificateStatus::uncertified)
     return "uncertified: " + shortened(certificate.reason.empty() ? "no reason given" : certificate.reason);
   const std::string name = certificate.orbit.value_or("unnamed");
+  const std::string stability = !certificate.undefined.empty() && !certificate.stable
+                                    ? ", stability undefined"
+                                : !certificate.stable ? ", stability not determined"
+                                : *certificate.stable ? ", stable"
+                                                      : ", unstable";
+  const std::string motion = stability + (is_contact_free(record) ? ", without contact" : "");
   if (!certificate.same_orbit) {
     return fmt::format(
-        "{} (no reference: {})", name,
+        "{}{} (no reference: {})", name, motion,
         shortened(certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason));
   }
-  const std::string stability = certificate.stable == false      ? ", unstable"
-                                : !certificate.undefined.empty() ? ", stability undefined"
-                                                                 : "";
-  return (*certificate.same_orbit ? "same" : fmt::format("other ({})", name)) + stability;
+  return (*certificate.same_orbit ? "same" : fmt::format("other ({})", name)) + motion;
 }
 
 }  // namespace signorini

@@ -30,7 +30,11 @@ std::string bounded_text(double error, const Record& record);
 /// "0.31 ms" and so on.
 std::string time_text(double seconds);
 
-/// same | other (orbit) | certified without a reference | uncertified, with reasons.
+/// "12 stable, 5 unstable": of so many motions; the rest is not determined. "-" of none.
+std::string stability_text(int stable, int unstable, int all);
+
+/// same | other (orbit) | certified without a reference, each with the orbit's stability and whether it
+/// touches nothing | uncertified, with reasons.
 std::string orbit_text(const Record& record);
 
 }  // namespace signorini

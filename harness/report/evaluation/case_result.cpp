@@ -63,11 +63,20 @@ CaseScene case_scene_of(const Record& record) {
           .contacts = record.contacts};
 }
 
+bool is_contact_free(const Record& record) {
+  // A contact that is closed throughout has no event either: it pushes all the time.
+  constexpr double kLeastPush = 0.5;  // of the period; an answer that is near may push for a moment
+  return record.certificate.status == CertificateStatus::certified && record.certificate.events.empty() &&
+         record.physics.contact_ratio && *record.physics.contact_ratio < kLeastPush;
+}
+
 CaseOutcome outcome_of(const Record& record) {
   return {.status = record.status,
           .certificate = record.certificate.status,
           .law_matches_scene = record.law_matches_scene,
           .same_orbit = record.certificate.same_orbit,
+          .stable = record.certificate.stable,
+          .contact_free = is_contact_free(record),
           .response = record.response.has_value()};
 }
 
@@ -94,9 +103,11 @@ void CaseResults::add(const Record& record) {
     result.seconds = record.seconds->median;
     result.exchange = record.seconds->exchange;
     result.together = record.seconds->jobs.has_value();
+    result.unsteady = record.seconds->unsteady == true;
   }
   if (record.certificate.orbit) result.orbit = name_of(*record.certificate.orbit);
   if (!record.problem.empty()) result.problem = name_of(record.problem);
+  if (!record.answer.empty()) result.answer = name_of(record.answer);
   result.keeps_motion = record.waveforms && record.waveforms->orbit && !record.waveforms->contacts.empty();
   // Growing by a quarter: while it is doubled, a list takes three times its own memory.
   if (all.size() == all.capacity()) all.reserve(all.size() + all.size() / 4 + 1);

@@ -55,8 +55,14 @@ struct CaseOutcome {
   CertificateStatus certificate = CertificateStatus::none;
   std::optional<bool> law_matches_scene = {};
   std::optional<bool> same_orbit = {};  ///< Certificate::same_orbit
+  std::optional<bool> stable = {};      ///< Certificate::stable: empty where that is not determined
+  bool contact_free = false;            ///< certified, and nothing touches: no event, and no contact pushes
   bool response = false;                ///< it is a whole response, which has no certificate
 };
+
+/// Whether the certified orbit of an answer touches nothing, as the record tells by the orbit's events and
+/// the share of the period during which contacts push.
+bool is_contact_free(const Record& record);
 
 /// The outcome of a record.
 CaseOutcome outcome_of(const Record& record);
@@ -76,11 +82,13 @@ struct CaseResult {
   Measure seconds = {};                  ///< median of set-up plus solve [s]
   Measure exchange = {};                 ///< Seconds::exchange [s]
   bool together = false;                 ///< other cases ran at the same time
+  bool unsteady = false;                 ///< Seconds::unsteady
   bool keeps_motion = false;             ///< with its certified orbit
   Work work = {};                        ///< counts
   std::optional<Repeats> repeats = {};   ///< solves after the first
   const std::string* orbit = nullptr;    ///< fingerprint of the certified orbit; null where there is none
   const std::string* problem = nullptr;  ///< Record::problem; null where it is not known
+  const std::string* answer = nullptr;   ///< Record::answer; null where there is none
   std::size_t source = 0;                ///< where the whole record is had: its number among those added
 };
 

@@ -7,6 +7,8 @@
 
 #include "harness/isolation/freed_at_once.hpp"
 #include "harness/report/evaluation/outcome.hpp"
+#include "harness/run_folder/machine_load.hpp"
+#include "harness/run_folder/manifest_check.hpp"
 #include "harness/run_folder/record_store.hpp"
 #include "harness/run_folder/run_folder.hpp"
 #include "harness/table.hpp"
@@ -39,6 +41,14 @@ std::vector<Record> by_key(std::vector<Record> records) {
   return records;
 }
 
+/// Evaluation::times_remark of the run in a folder.
+std::string times_remark_of(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "manifest.json";
+  if (!std::filesystem::exists(file)) return {};
+  const std::string why = why_not_comparable(read_manifest(file));
+  return why.empty() ? why : "Times of this run are not comparable: " + why + ".";
+}
+
 /// Reads from records that it keeps.
 RecordReader reader_of(std::shared_ptr<const std::vector<Record>> records) {
   return [records = std::move(records)](std::size_t source) { return (*records)[source]; };
@@ -60,13 +70,18 @@ Evaluation::Evaluation(std::vector<Record> records, const Limits& limits)
 Evaluation::Evaluation(const std::shared_ptr<const std::vector<Record>>& records, const Limits& limits)
     : Evaluation(results_of_records(*records), reader_of(records), limits) {}
 
-Evaluation::Evaluation(CaseResults results, RecordReader read, const Limits& limits)
-    : results_(std::move(results)), read_(std::move(read)), time_limit_(limits.timeout) {
+Evaluation::Evaluation(CaseResults results, RecordReader read, const Limits& limits, std::string times_remark)
+    : results_(std::move(results)),
+      read_(std::move(read)),
+      time_limit_(limits.timeout),
+      times_remark_(std::move(times_remark)) {
   std::ranges::stable_sort(results_.all, before);
   std::ranges::stable_sort(results_.responses, response_before);
   repeated_ = repeated_problems(results_.all);
   studies_ = resolution_studies(results_.all);
-  groups_ = ranking_groups(studies_, [this](const std::string& scene) { return is_ranked(scene); });
+  groups_ = ranking_groups(
+      studies_, [this](const std::string& scene) { return is_ranked(scene); },
+      [this](const std::string& scene) { return is_contact_free(scene); });
   for (const ResolutionStudy& study : studies_) {
     configurations_.push_back(study.configuration);
     if (scenes_.empty() || scenes_.back() != study.scene) scenes_.push_back(study.scene);
@@ -99,6 +114,10 @@ bool Evaluation::is_ranked(const std::string& scene) const {
   return std::ranges::any_of(results, counts_here) || std::ranges::none_of(results, counts_elsewhere);
 }
 
+bool Evaluation::is_contact_free(const std::string& scene) const {
+  return std::ranges::any_of(results_of(scene), [](const CaseResult& r) { return r.outcome.contact_free; });
+}
+
 std::size_t Evaluation::place_of(const CaseResult& result) const {
   return static_cast<std::size_t>(&result - results_.all.data());
 }
@@ -129,7 +148,7 @@ Evaluation evaluation_of_run(const std::filesystem::path& folder, const Limits& 
   return Evaluation(
       std::move(results),
       [records, places = std::move(places)](std::size_t source) { return records->at(places[source]); },
-      limits);
+      limits, times_remark_of(folder));
 }
 
 }  // namespace signorini

@@ -24,7 +24,8 @@ class Evaluation {
   /// \param limits  those of the run: its time limit stands for failures in means
   explicit Evaluation(std::vector<Record> records, const Limits& limits = {});
   /// Of results alone; `read` has the record of each.
-  Evaluation(CaseResults results, RecordReader read, const Limits& limits = {});
+  Evaluation(CaseResults results, RecordReader read, const Limits& limits = {},
+             std::string times_remark = {});
   // Studies and groups point into the results.
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
@@ -46,6 +47,9 @@ class Evaluation {
   /// Time limit of set-up and first solve [s].
   [[nodiscard]] double time_limit() const { return time_limit_; }
 
+  /// Why times of this run are not comparable, a sentence; empty where they are, as far as is known.
+  [[nodiscard]] const std::string& times_remark() const { return times_remark_; }
+
   /// All configurations, sorted.
   [[nodiscard]] const std::vector<std::string>& configurations() const { return configurations_; }
   /// All scenes, in natural order.
@@ -57,6 +61,9 @@ class Evaluation {
   /// Whether rankings take a scene of this evaluation in: it has a contact, and states a problem of its own
   /// to some method.
   [[nodiscard]] bool is_ranked(const std::string& scene) const;
+  /// Whether some answer on a scene of this evaluation is certified by an orbit that touches nothing: what
+  /// solves such a scene need not know what contact is.
+  [[nodiscard]] bool is_contact_free(const std::string& scene) const;
   /// Where a result of this evaluation stands among its results.
   [[nodiscard]] std::size_t place_of(const CaseResult& result) const;
   /// Where a response stands in a report: after all results. \param i  its place in `responses`
@@ -70,6 +77,7 @@ class Evaluation {
   CaseResults results_;
   RecordReader read_;
   double time_limit_;
+  std::string times_remark_ = {};
   std::vector<bool> repeated_;  // by result
   std::vector<ResolutionStudy> studies_;
   std::vector<RankingGroup> groups_;

@@ -58,6 +58,7 @@ void OutcomeCounts::add(const CaseOutcome& outcome) {
   if (claim != Claim::certified) return;
   ++certified;
   if (const auto same = outcome.same_orbit) ++(*same ? same_orbit : other_orbit);
+  if (outcome.stable) ++(*outcome.stable ? stable : unstable);
 }
 
 }  // namespace signorini

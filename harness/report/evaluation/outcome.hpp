@@ -41,6 +41,7 @@ Measure certified_level(const CaseResult& result);
 struct OutcomeCounts {
   int cases = 0, not_applicable = 0, failed = 0, refuted = 0, unproven = 0, certified = 0;
   int same_orbit = 0, other_orbit = 0;  ///< certified, and the orbit reached from rest or another one
+  int stable = 0, unstable = 0;         ///< certified, of these orbits; of the rest it is not determined
   int another_law = 0;                  ///< applicable cases of another law than the scene's
   int solved = 0;                       ///< certified cases of the scene's law
   int followed = 0;                     ///< responses with a branch, of which nothing is claimed

@@ -65,7 +65,8 @@ PerformanceProfile performance_profile(const Costs& costs) {
 }
 
 std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies,
-                                         const std::function<bool(const std::string& scene)>& is_ranked) {
+                                         const std::function<bool(const std::string& scene)>& is_ranked,
+                                         const std::function<bool(const std::string& scene)>& is_apart) {
   std::map<std::string, std::map<std::string, const ResolutionStudy*>> by_scene;
   Names scenes;
   for (const ResolutionStudy& study : studies) {
@@ -74,12 +75,12 @@ std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& stu
     if (fresh) scenes.push_back(study.scene);
     if (study.eligibility != Eligibility::another_law) by_scene[study.scene][study.configuration] = &study;
   }
-  std::map<Names, RankingGroup> by_configurations;
+  std::map<std::pair<Names, bool>, RankingGroup> by_configurations;
   for (const std::string& scene : scenes) {
     Names names;
     for (const auto& entry : by_scene[scene]) names.push_back(entry.first);
     if (names.empty()) continue;
-    RankingGroup& group = by_configurations[names];
+    RankingGroup& group = by_configurations[{names, is_apart(scene)}];
     group.configurations = names;
     group.studies.resize(names.size());
     group.scenes.push_back(scene);

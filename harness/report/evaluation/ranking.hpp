@@ -60,8 +60,11 @@ struct RankingGroup {
 /// run there, is not ranked there. One that does not apply to a scene has not solved it; one that applies to
 /// no scene of a group is left out of the group. The result points into `studies`.
 /// \param is_ranked  whether a scene takes part
-std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies,
-                                         const std::function<bool(const std::string& scene)>& is_ranked);
+/// \param is_apart   whether it shares groups only with others that are
+std::vector<RankingGroup> ranking_groups(
+    const std::vector<ResolutionStudy>& studies,
+    const std::function<bool(const std::string& scene)>& is_ranked,
+    const std::function<bool(const std::string& scene)>& is_apart = [](const std::string&) { return false; });
 
 /// Costs of all configurations of a group on all of its scenes.
 Costs costs_to_error(const RankingGroup& group, const CostAxis& axis, double error);

@@ -51,6 +51,25 @@ ScoredRun scored_run(const CaseResult& result) {
   return run;
 }
 
+bool has_equations_of(const CaseChoice& a, const CaseChoice& b) {
+  return b.method == a.same_equations_as && std::ranges::all_of(a.options, [&](const auto& option) {
+           const auto other = std::ranges::find(b.options, option.first, &RecordedOptions::value_type::first);
+           return other == b.options.end() || other->second == option.second;
+         });
+}
+
+std::string answers_of(const ResolutionStudy& study) {
+  std::multiset<std::string_view> digests;
+  for (const ScoredRun& run : study.runs) {
+    if (!claim_of(run.result->outcome)) continue;
+    if (run.result->answer == nullptr) return {};
+    digests.insert(*run.result->answer);
+  }
+  std::string text;
+  for (const std::string_view digest : digests) text.append(digest).append(" ");
+  return text;
+}
+
 std::ptrdiff_t solved_runs(const ResolutionStudy& study) {
   return std::ranges::count_if(study.runs, [](const ScoredRun& run) { return run.error.has_value(); });
 }

@@ -44,6 +44,15 @@ struct ResolutionStudy {
 /// `results`.
 std::vector<ResolutionStudy> resolution_studies(const std::vector<CaseResult>& results);
 
+/// Whether the equations of `a` are those of `b`: its method says so (CaseChoice::same_equations_as) and
+/// every option that both have has the same value.
+bool has_equations_of(const CaseChoice& a, const CaseChoice& b);
+
+/// The digests of a study's answers in alphabetical order, each with a blank behind it, equal where two
+/// configurations give the same answers to the last bit. Empty where there is no answer, or one without a
+/// digest.
+std::string answers_of(const ResolutionStudy& study);
+
 /// How many of its runs have an error.
 std::ptrdiff_t solved_runs(const ResolutionStudy& study);
 

@@ -105,7 +105,10 @@ ResponseGroup group_of_responses(std::optional<SceneKind> kind, const Responses&
     standing.makes_the_exact = parse_method_label(label).method == exact_method;
     if (standing.asked > 0) group.standings.push_back(std::move(standing));
   }
-  rank_responses(group.standings);
+  if (group.is_too_small())
+    std::ranges::stable_sort(group.standings, {}, [](const ResponseStanding& one) { return -one.found; });
+  else
+    rank_responses(group.standings);
   return group;
 }
 

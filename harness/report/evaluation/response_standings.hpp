@@ -18,8 +18,7 @@ inline constexpr std::string_view kResponseRule =
     "kind, the one that finds the most of the exact branches; of those that find as much but for 5 "
     "percentage "
     "points, the one that takes the least time per length. A response counts as not found where a method "
-    "does "
-    "not apply or represents another law.";
+    "does not apply or represents another law. Kinds of fewer than three responses recommend nothing.";
 
 /// Whether it is the exact response of its scene.
 bool is_exact(const Record& record);
@@ -51,8 +50,12 @@ struct ResponseStanding {
 struct ResponseGroup {
   std::optional<SceneKind> kind = {};  ///< none where the records do not know it
   std::vector<std::string> scenes = {};
-  /// The recommended ones, then by the share found, largest first, then as in response_labels.
+  /// The recommended ones, none of too few scenes, then by the share found, largest first, then as in
+  /// response_labels.
   std::vector<ResponseStanding> standings = {};
+
+  /// Whether there are too few scenes to recommend anything: fewer than kFewestScenes.
+  [[nodiscard]] bool is_too_small() const { return scenes.size() < kFewestScenes; }
 };
 
 /// Groups by kind, of the responses that a method was compared with.

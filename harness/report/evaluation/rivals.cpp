@@ -41,16 +41,22 @@ LeastTimes least_times(std::span<const ResolutionStudy> studies, double error) {
   return least;
 }
 
-void add(const LeastTimes& least, const std::string& configuration, RivalTimes& times) {
-  const double seconds = least.of.at(configuration);
+void add(const LeastTimes& least, const ResolutionStudy& study, double error, RivalTimes& times) {
+  const auto [seconds, run] = cost_to_error(study, time_axis(), error);
   ++times.scenes;
-  if (!std::isfinite(seconds)) return;
+  if (run == nullptr) return;
   ++times.reached;
-  if (std::isfinite(least.own) && least.own > 0.0 && seconds > 0.0)
+  if (const auto is_stable = run->result->outcome.stable) ++(*is_stable ? times.stable : times.unstable);
+  if (std::isfinite(least.own) && least.own > 0.0 && seconds > 0.0) {
     times.to_own.push_back(seconds / least.own);
+    if (const std::optional<long> points = run->result->work.points; points && *points > 0) {
+      times.points.push_back(*points);
+      times.per_point.push_back(times.to_own.back() / static_cast<double>(*points));
+    }
+  }
   if (std::isfinite(least.plain) && least.plain > 0.0 && seconds > 0.0)
     times.to_plain.push_back(seconds / least.plain);
-  if (least.is_fastest(configuration)) ++times.fastest;
+  if (least.is_fastest(study.configuration)) ++times.fastest;
 }
 
 }  // namespace
@@ -58,6 +64,7 @@ void add(const LeastTimes& least, const std::string& configuration, RivalTimes& 
 std::vector<Rival> rivals(const Evaluation& evaluation) {
   std::map<std::string, Rival> found;
   for (const std::string& scene : evaluation.scenes()) {
+    if (evaluation.is_contact_free(scene)) continue;
     const std::span<const ResolutionStudy> studies = evaluation.studies_of(scene);
     for (std::size_t e = 0; e < kRivalErrors.size(); ++e) {
       const LeastTimes least = least_times(studies, kRivalErrors[e]);
@@ -67,7 +74,7 @@ std::vector<Rival> rivals(const Evaluation& evaluation) {
           continue;
         Rival& rival = found[study.configuration];
         rival.configuration = study.configuration;
-        add(least, study.configuration, rival.at[e]);
+        add(least, study, kRivalErrors[e], rival.at[e]);
       }
     }
   }
@@ -76,6 +83,8 @@ std::vector<Rival> rivals(const Evaluation& evaluation) {
     for (RivalTimes& times : rival.at) {
       std::ranges::sort(times.to_own);
       std::ranges::sort(times.to_plain);
+      std::ranges::sort(times.per_point);
+      std::ranges::sort(times.points);
     }
     result.push_back(std::move(rival));
   }

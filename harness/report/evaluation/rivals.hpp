@@ -21,7 +21,12 @@ struct RivalTimes {
   std::vector<double> to_own = {};
   /// The same over plain forms of the literature.
   std::vector<double> to_plain = {};
-  int fastest = 0;  ///< where no other method of the run, plugins included, is as fast
+  /// Of those with an answer that a curve was followed to (Work::points): its time for one point of the curve
+  /// over the least of the program's own, rising [-].
+  std::vector<double> per_point = {};
+  std::vector<long> points = {};  ///< of these curves, rising
+  int stable = 0, unstable = 0;   ///< of the reached ones, by the motion of the least time
+  int fastest = 0;                ///< where no other method of the run, plugins included, is as fast
 };
 
 /// A configuration from a plugin, at each of kRivalErrors.
@@ -32,7 +37,8 @@ struct Rival {
 
 /// Of each configuration from a plugin, in the order of configurations. A scene counts where the
 /// configuration solves the problem that the scene states; repeated problems count once. Without a time an
-/// error is not reached.
+/// error is not reached. Scenes that a motion without contact solves (Evaluation::is_contact_free) are left
+/// out.
 std::vector<Rival> rivals(const Evaluation& evaluation);
 
 }  // namespace signorini

@@ -1,5 +1,7 @@
 #include "harness/report/evaluation/scene_groups.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -29,23 +31,108 @@ bool stands_before(const Standing& a, const Standing& b) {
   return sooner != later ? sooner < later : natural_less(a.configuration, b.configuration);
 }
 
-void rank_standings(SceneGroup& group) {
-  std::ranges::sort(group.standings, stands_before);
-  if (group.standings.empty()) return;
-  const Reach& best = ranking_reach(group.standings.front());
-  if (best.scenes == 0) return;
-  for (Standing& standing : group.standings) {
-    const Reach& reach = ranking_reach(standing);
-    standing.recommended =
-        reach.scenes == best.scenes && reach.median_seconds() <= kEqualTimes * best.median_seconds();
+/// A standing with the studies that it is made of, by scene.
+struct Contestant {
+  Standing standing;
+  std::vector<const ResolutionStudy*> studies = {};
+
+  /// All answers, scene by scene; empty where one of them is not known.
+  [[nodiscard]] std::string answers() const {
+    std::string text;
+    for (const ResolutionStudy* study : studies) {
+      const std::string of_scene = answers_of(*study);
+      if (of_scene.empty() && solved_runs(*study) > 0) return {};
+      if (!of_scene.empty()) text += study->scene + " " + of_scene;
+    }
+    return text;
   }
+  /// Whether its equations are those of another one wherever it has an answer.
+  [[nodiscard]] bool has_equations_of(const Contestant& other) const {
+    bool any = false;
+    for (const ResolutionStudy* study : studies) {
+      for (const ScoredRun& run : study->runs) {
+        if (!run.error) continue;
+        any = true;
+        const auto is_equal = [&](const ScoredRun& its) {
+          return signorini::has_equations_of(*run.result->choice, *its.result->choice);
+        };
+        if (std::ranges::none_of(other.studies, [&](const ResolutionStudy* its) {
+              return its->scene == study->scene && std::ranges::any_of(its->runs, is_equal);
+            }))
+          return false;
+      }
+    }
+    return any;
+  }
+};
+
+bool have_equal_equations(const Contestant& a, const Contestant& b) {
+  return a.has_equations_of(b) || b.has_equations_of(a);
 }
 
-/// Scenes that a configuration has no part in count as not reached.
-void count_the_rest(SceneGroup& group) {
-  for (Standing& standing : group.standings) {
-    for (Reach& reach : standing.reach) reach.seconds.resize(group.scenes.size(), kNeverReached);
+/// Leaves of contestants, best first, with one result the first, which names the others.
+void join_equal_results(std::vector<Contestant>& contestants) {
+  std::vector<Contestant> joined;
+  std::map<std::string, std::size_t> places;  // of answers
+  for (Contestant& contestant : contestants) {
+    const std::string answers = contestant.answers();
+    const auto known = answers.empty() ? places.end() : places.find(answers);
+    const auto is_same = [&](const Contestant& other) {
+      return ranking_reach(other.standing).scenes == ranking_reach(contestant.standing).scenes &&
+             have_equal_equations(contestant, other);
+    };
+    const auto same = known == places.end() ? std::ranges::find_if(joined, is_same)
+                                            : joined.begin() + static_cast<std::ptrdiff_t>(known->second);
+    if (same != joined.end()) {
+      same->standing.same.push_back(contestant.standing.configuration);
+      continue;
+    }
+    if (!answers.empty()) places.emplace(answers, joined.size());
+    joined.push_back(std::move(contestant));
   }
+  contestants = std::move(joined);
+}
+
+/// Recommends as SceneGroup::standings says.
+void recommend(std::vector<Contestant>& contestants) {
+  Standing& first = contestants.front().standing;
+  const Reach& best = ranking_reach(first);
+  if (best.scenes == 0) return;
+  const double least = best.median_seconds();
+  Contestant* sooner = nullptr;
+  bool others = false;
+  for (Contestant& contestant : contestants) {
+    Standing& standing = contestant.standing;
+    const Reach& reach = ranking_reach(standing);
+    const double seconds = reach.median_seconds();
+    if (reach.scenes == best.scenes) {
+      others = others || &standing != &first;
+      standing.recommended = seconds <= kEqualTimes * least;
+      if (&standing != &first) standing.reason = "as many scenes, within 10 %";
+    } else if (reach.scenes > 0 && reach.scenes + 1 == best.scenes && kEqualTimes * seconds < least &&
+               (sooner == nullptr || seconds < ranking_reach(sooner->standing).median_seconds()) &&
+               !have_equal_equations(contestant, contestants.front())) {
+      sooner = &contestant;
+    }
+  }
+  first.reason = others ? "as many scenes as others, soonest" : "most scenes";
+  if (sooner == nullptr) return;
+  sooner->standing.recommended = true;
+  const double seconds = ranking_reach(sooner->standing).median_seconds();
+  sooner->standing.reason = std::isfinite(least)
+                                ? fmt::format("one scene fewer, {:.2g} times as fast", least / seconds)
+                                : std::string("one scene fewer, timed");
+}
+
+/// Puts the contestants in order into their group.
+void rank_contestants(std::vector<Contestant> contestants, SceneGroup& group) {
+  // Scenes that a configuration has no part in count as not reached.
+  for (Contestant& contestant : contestants)
+    for (Reach& reach : contestant.standing.reach) reach.seconds.resize(group.scenes.size(), kNeverReached);
+  std::ranges::sort(contestants, stands_before, &Contestant::standing);
+  join_equal_results(contestants);
+  if (!contestants.empty() && !group.is_too_small()) recommend(contestants);
+  for (Contestant& contestant : contestants) group.standings.push_back(std::move(contestant.standing));
 }
 
 }  // namespace
@@ -64,6 +151,8 @@ std::string_view kind_title(SceneKind kind) {
       return "Many contacts (5 or more)";
     case SceneKind::large_structure:
       return "Large structure (100 coordinates or more)";
+    case SceneKind::contact_free:
+      return "Motion without contact";
   }
   return {};
 }
@@ -81,38 +170,49 @@ std::optional<SceneKind> kind_of(const CaseScene& scene) {
   return kind_of_scene(scene.law, scene.coordinates, scene.contacts);
 }
 
+std::optional<SceneKind> kind_of(const Evaluation& evaluation, const std::string& scene) {
+  if (evaluation.is_contact_free(scene)) return SceneKind::contact_free;
+  for (const CaseResult& result : evaluation.results_of(scene))
+    if (const std::optional<SceneKind> kind = kind_of(*result.scene)) return kind;
+  return std::nullopt;
+}
+
+std::string Standing::names() const {
+  std::string text = configuration;
+  for (const std::string& other : same) text += " = " + other;
+  return text;
+}
+
 std::vector<SceneGroup> scene_groups(const Evaluation& evaluation) {
   std::map<std::string_view, SceneKind> kinds;  // by scene
-  for (const CaseResult& result : evaluation.results()) {
-    if (const std::optional<SceneKind> kind = kind_of(*result.scene))
-      kinds.try_emplace(result.scene->name, *kind);
-  }
   std::map<SceneKind, SceneGroup> groups;
+  std::map<SceneKind, std::vector<Contestant>> contestants;
   for (const std::string& scene : evaluation.scenes()) {
-    const auto kind = kinds.find(scene);
-    if (kind == kinds.end()) continue;
-    if (!evaluation.is_ranked(scene)) {
-      kinds.erase(kind);
-      continue;
-    }
-    groups[kind->second].kind = kind->second;
-    groups[kind->second].scenes.push_back(scene);
+    const std::optional<SceneKind> kind = kind_of(evaluation, scene);
+    if (!kind || !evaluation.is_ranked(scene)) continue;
+    kinds.emplace(scene, *kind);
+    groups[*kind].kind = *kind;
+    groups[*kind].scenes.push_back(scene);
   }
   for (const ResolutionStudy& study : evaluation.studies()) {
     const auto kind = kinds.find(study.scene);
     if (kind == kinds.end() || study.eligibility != Eligibility::ranked) continue;
-    std::vector<Standing>& standings = groups[kind->second].standings;
-    auto standing = std::ranges::find(standings, study.configuration, &Standing::configuration);
-    if (standing == standings.end()) {
-      standing = standings.insert(standings.end(), {.configuration = study.configuration,
-                                                    .method = study.runs.front().result->choice->method});
+    std::vector<Contestant>& of_kind = contestants[kind->second];
+    auto place = std::ranges::find(of_kind, study.configuration, [](const Contestant& contestant) {
+      return contestant.standing.configuration;
+    });
+    if (place == of_kind.end()) {
+      const CaseChoice& choice = *study.runs.front().result->choice;
+      place = of_kind.insert(of_kind.end(),
+                             {.standing = {.configuration = study.configuration, .method = choice.method}});
     }
-    for (std::size_t i = 0; i < kGroupErrors.size(); ++i) standing->reach[i].add(study, kGroupErrors[i]);
+    for (std::size_t i = 0; i < kGroupErrors.size(); ++i)
+      place->standing.reach[i].add(study, kGroupErrors[i]);
+    place->studies.push_back(&study);
   }
   std::vector<SceneGroup> result;
   for (auto& [kind, group] : groups) {
-    count_the_rest(group);
-    rank_standings(group);
+    rank_contestants(std::move(contestants[kind]), group);
     result.push_back(std::move(group));
   }
   return result;

@@ -48,9 +48,18 @@ CurvePoint cost_to_error(const ResolutionStudy& study, const CostAxis& axis, dou
   return {kNeverReached, nullptr};
 }
 
+const ScoredRun* reaching_run(const ResolutionStudy& study, double error) {
+  if (const ScoredRun* cheapest = cost_to_error(study, time_axis(), error).run) return cheapest;
+  const auto first = std::ranges::find_if(
+      study.runs, [&](const ScoredRun& run) { return run.error && *run.error <= error; });
+  return first == study.runs.end() ? nullptr : &*first;
+}
+
 void Reach::add(const ResolutionStudy& study, double error) {
-  scenes +=
-      std::ranges::any_of(study.runs, [&](const ScoredRun& run) { return run.error && *run.error <= error; });
+  if (const ScoredRun* run = reaching_run(study, error)) {
+    ++scenes;
+    if (const auto is_stable = run->result->outcome.stable) ++(*is_stable ? stable : unstable);
+  }
   seconds.push_back(cost_to_error(study, time_axis(), error).cost);
 }
 

@@ -45,9 +45,14 @@ std::vector<CurvePoint> pareto_curve(const ResolutionStudy& study, const CostAxi
 /// run reached it. Nothing is inter- or extrapolated.
 CurvePoint cost_to_error(const ResolutionStudy& study, const CostAxis& axis, double error);
 
+/// The run by which an error is reached: the cheapest in time, of untimed ones the first; null where there is
+/// none.
+const ScoredRun* reaching_run(const ResolutionStudy& study, double error);
+
 /// On how many scenes an error is reached, and how fast.
 struct Reach {
   int scenes = 0;
+  int stable = 0, unstable = 0;      ///< of these, by the motion of reaching_run; the rest is not determined
   std::vector<double> seconds = {};  ///< of each scene; infinite where it is not reached or was not timed
 
   /// Counts the scene of a study.

@@ -82,7 +82,7 @@ struct CsvColumn {
 
 /// Columns of table.csv, in order. Two of them are no fields: kResolution and kReason.
 constexpr std::string_view kResolution = "resolution", kReason = "reason";
-constexpr std::array<CsvColumn, 42> kColumns{{{"case", "case"},
+constexpr std::array<CsvColumn, 43> kColumns{{{"case", "case"},
                                               {"scene", "scene"},
                                               {"scene_law", "scene_law"},
                                               {"method", "method"},
@@ -113,6 +113,7 @@ constexpr std::array<CsvColumn, 42> kColumns{{{"case", "case"},
                                               {"pivots", "work.pivots"},
                                               {"rhs_evaluations", "work.rhs_evaluations"},
                                               {"factorisations", "work.factorisations"},
+                                              {"points", "work.points"},
                                               {"peak_memory_bytes", "work.peak_memory_bytes"},
                                               {"condition", "condition"},
                                               {"certificate", "certificate.status"},

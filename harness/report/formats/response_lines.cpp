@@ -40,7 +40,8 @@ ScreenLines response_lines(const Evaluation& evaluation, std::size_t most) {
   const std::size_t rows = (most > taken ? most - taken : 0) / groups.size();
   const std::size_t methods = std::max<std::size_t>(3, rows) - 1;  // beside the title
   for (const ResponseGroup& group : groups) {
-    lines.push_back({group_title(group), Emphasis::title});
+    lines.push_back({group_title(group) + (group.is_too_small() ? fmt::format(": {}", kTooFewScenes) : ""),
+                     Emphasis::title});
     for (const ResponseStanding& one :
          std::span(group.standings).first(std::min(methods, group.standings.size())))
       lines.push_back(row_of(one));

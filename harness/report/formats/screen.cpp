@@ -124,6 +124,10 @@ ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& con
   append(lines, wrapped_text(counts_line(evaluation)));
   if (together)
     append(lines, wrapped_text("Cases ran at the same time: their times are not comparable.", Emphasis::bad));
+  else if (!evaluation.times_remark().empty())
+    append(lines, wrapped_text(evaluation.times_remark(), Emphasis::bad));
+  if (const std::string unsteady = unsteady_remark(evaluation); !unsteady.empty())
+    append(lines, wrapped_text(unsteady));
   return lines;
 }
 
@@ -149,6 +153,13 @@ std::string painted(const ScreenLine& line, bool colour) {
 }
 
 }  // namespace
+
+std::string unsteady_remark(const Evaluation& evaluation) {
+  const auto count = std::ranges::count_if(evaluation.results(), &CaseResult::unsteady);
+  if (count == 0) return {};
+  return plural(count, "case") + (count == 1 ? " has" : " have") +
+         " unsteady times: their rounds differ by more than 25 % however often they are measured.";
+}
 
 std::string counts_line(const Evaluation& evaluation) {
   OutcomeCounts counts;

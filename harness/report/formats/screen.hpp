@@ -27,6 +27,9 @@ struct ScreenContext {
 /// (scene_groups.hpp) the methods in their order, as many as there is room for.
 std::string screen_report(const Evaluation& evaluation, const ScreenContext& context);
 
+/// "3 cases have unsteady times: ..."; empty where none has.
+std::string unsteady_remark(const Evaluation& evaluation);
+
 /// "37 scenes, 999 cases, 684 certified, 315 failed": what became of a run.
 std::string counts_line(const Evaluation& evaluation);
 

@@ -15,6 +15,7 @@ namespace signorini {
 
 namespace {
 
+constexpr int kUnstableWidth = 6;
 constexpr int kTimeWidth = 8;  // "1.23e+03 s" of a very slow method pushes its line, which is clipped
 
 /// Lines of the columns of one group: names, then a time and a number of scenes for each error.
@@ -25,15 +26,14 @@ class Columns {
     for (const SceneGroup& group : groups) scenes = std::max(scenes, group.scenes.size());
     count_width_ = static_cast<int>(std::max<std::size_t>(2, std::to_string(scenes).size()));
     const auto cell = static_cast<std::size_t>(1 + kTimeWidth + 1 + count_width_);
-    name_width_ = kScreenWidth - kGroupErrors.size() * cell;
+    name_width_ = kScreenWidth - kGroupErrors.size() * cell - kUnstableWidth;
   }
 
   [[nodiscard]] ScreenLine titles() const {
     std::string text(name_width_, ' ');
     for (const char* title : kErrorTitles)
       text += fmt::format(" {:>{}} {:{}}", title, kTimeWidth, "", count_width_);
-    text.erase(text.find_last_not_of(' ') + 1);
-    return {std::move(text)};
+    return {text + fmt::format("{:>{}}", "unst.", kUnstableWidth)};
   }
 
   /// A name that is too long stands in a line of its own.
@@ -44,8 +44,9 @@ class Columns {
       figures += fmt::format(" {:>{}} {:>{}}", std::isfinite(seconds) ? time_text(seconds) : "-", kTimeWidth,
                              reach.scenes, count_width_);
     }
+    figures += fmt::format("{:>{}}", standing.reach.front().unstable, kUnstableWidth);
     const Emphasis emphasis = standing.recommended ? Emphasis::good : Emphasis::none;
-    const std::string name = (standing.recommended ? "* " : "  ") + standing.configuration;
+    const std::string name = (standing.recommended ? "* " : "  ") + standing.names();
     if (name.size() <= name_width_)
       return {{clipped(fmt::format("{:{}}{}", name, name_width_, figures), kScreenWidth), emphasis}};
     return {{clipped(name, kScreenWidth), emphasis},
@@ -57,7 +58,8 @@ class Columns {
   std::size_t name_width_ = 0;
 };
 
-/// Places of the standings in the order in which they get room: of each method the best first.
+/// Places of the standings in the order in which they get room: those recommended, then of each method the
+/// best.
 std::vector<std::size_t> order_of_room(const SceneGroup& group) {
   std::vector<std::size_t> first, second;
   std::vector<std::string> methods;
@@ -67,6 +69,7 @@ std::vector<std::size_t> order_of_room(const SceneGroup& group) {
     if (!seen) methods.push_back(method);
     (seen ? second : first).push_back(i);
   }
+  std::ranges::stable_partition(first, [&](std::size_t i) { return group.standings[i].recommended; });
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
@@ -110,8 +113,10 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis) {
 std::string verdict_title(const SceneGroup& group) {
   std::string names;
   for (const Standing& standing : group.standings) {
-    if (standing.recommended) names += (names.empty() ? "" : " or ") + standing.configuration;
+    if (!standing.recommended) continue;
+    names += names.empty() ? standing.names() : fmt::format(" or {} ({})", standing.names(), standing.reason);
   }
+  if (group.is_too_small()) names = kTooFewScenes;
   const auto scenes = static_cast<std::ptrdiff_t>(group.scenes.size());
   return fmt::format("{}, {}: {}", kind_title(group.kind), plural(scenes, "scene"),
                      names.empty() ? "no method gets to 1 %" : names);
@@ -124,10 +129,19 @@ ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {
   ScreenLines lines{{}};
   append(lines, wrapped_text("Which method? " + std::string(kVerdictRule)));
   lines.push_back(columns.titles());
+  constexpr std::size_t kMostOfTitle = 2;  // lines
+  std::vector<ScreenLines> titles;
+  std::size_t taken = lines.size();
+  for (const SceneGroup& group : groups) {
+    titles.push_back(wrapped_text(verdict_title(group), Emphasis::title));
+    titles.back().resize(std::min(titles.back().size(), kMostOfTitle));
+    for (ScreenLine& line : titles.back()) line.text = clipped(line.text, kScreenWidth);
+    taken += titles.back().size();
+  }
   const std::vector<std::vector<std::size_t>> shown =
-      share_out(groups, columns, most - std::min(most, lines.size() + groups.size()));
+      share_out(groups, columns, most - std::min(most, taken));
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    lines.push_back({clipped(verdict_title(groups[g]), kScreenWidth), Emphasis::title});
+    append(lines, std::move(titles[g]));
     for (const std::size_t place : shown[g]) append(lines, columns.row(groups[g].standings[place]));
   }
   return lines;

@@ -32,12 +32,15 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 /// The rule by which a method is recommended, as reports print it above their groups.
 inline constexpr std::string_view kVerdictRule =
     "* has an error of at most 1 % on most scenes of its group and, of several, the least median time to it, "
-    "or one within 10 % of that. Time to an error of x and force, and on how many scenes; - where half or more fail:";
+    "or one within 10 % of that; or misses one scene more and is faster. Time to an error of x and force, "
+    "and "
+    "on how many scenes; - where half or more fail; on how many of those to 10 % the motion is unstable:";
 
 /// The titles of kGroupErrors.
 inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %", "1 %", "0.1 %", "1e-6"};
 
-/// "Spring, 3 scenes: exact-orbit or hat-lcp": the methods that are recommended.
+/// "Spring, 3 scenes: exact-orbit": the methods that are recommended, what decides behind all but the first;
+/// or that the scenes are too few.
 std::string verdict_title(const SceneGroup& group);
 
 /// For each kind of scene a title with the methods that are recommended, and rows of methods, best first, as

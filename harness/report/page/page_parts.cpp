@@ -8,6 +8,7 @@
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/report/formats/screen.hpp"
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/report/page/html.hpp"
 #include "harness/report/page/page_shell.hpp"
@@ -19,13 +20,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One method's row of a verdict: the median time to each error, and on how many scenes.
+/// One method's row of a verdict: the median time to each error, and on how many scenes; how many of these
+/// motions are unstable.
 std::string standing_row(const Standing& standing) {
+  std::string names = link_to_cases(standing.configuration);
+  for (const std::string& other : standing.same) names += " = " + link_to_cases(other);
   std::string text = fmt::format(
       "<tr{0}><th scope=\"row\">{1}{2}</th>", standing.recommended ? " class=\"best\"" : "",
       standing.recommended ? "<span aria-hidden=\"true\">* </span><span class=\"unseen\">recommended: </span>"
                            : "",
-      link_to_cases(standing.configuration));
+      names);
   for (const Reach& reach : standing.reach) {
     const double seconds = reach.median_seconds();
     text += std::isfinite(seconds)
@@ -33,7 +37,7 @@ std::string standing_row(const Standing& standing) {
                               with_unit_signs(time_text(seconds)), reach.scenes)
                 : fmt::format("<td class=\"n\">- <small>{}</small></td>", reach.scenes);
   }
-  return text + "</tr>\n";
+  return text + fmt::format("<td class=\"n\">{}</td></tr>\n", standing.reach.front().unstable);
 }
 
 /// The orbit reached from rest, from the first record that found it.
@@ -138,11 +142,14 @@ std::string verdict_of(const Evaluation& evaluation) {
   const std::vector<SceneGroup> groups = scene_groups(evaluation);
   text += groups.empty() ? "<p>No scene of this run has a contact whose law is known.</p>\n"
                          : fmt::format("<p>{}</p>\n", html_escaped(std::string(kVerdictRule)));
+  for (const std::string& remark : {evaluation.times_remark(), unsteady_remark(evaluation)})
+    if (!remark.empty()) text += fmt::format("<p>{}</p>\n", html_escaped(remark));
   text += "<div class=\"verdicts\">\n";
   for (const SceneGroup& group : groups) {
     std::string titles;
     for (const char* title : kErrorTitles)
       titles += fmt::format("<th scope=\"col\" class=\"n\">{}</th>", title);
+    titles += "<th scope=\"col\" class=\"n\">unst.</th>";
     text += fmt::format(
         "<div class=\"table\"><table><caption>{}</caption><thead><tr><th "
         "scope=\"col\">method</th>{}</tr></thead>"

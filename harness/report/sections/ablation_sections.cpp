@@ -25,7 +25,7 @@ constexpr std::string_view kAblationText =
     R"(`plain=true` is a method as the literature has it, each further setting
 adds one of our additions, and what is not plain is ours. All runs at the resolution of the plain ones, of
 whatever law. Says converged tells whether the method gets to a solution of its equations, certified whether
-that is near an orbit of its law. Medians of errors and times are over the certified runs of the row, easy ones
+that is near an orbit of its law, and on how many of these runs it is an unstable one. Medians of errors and times are over the certified runs of the row, easy ones
 alone where few are certified. Ours over it compares equal scenes: the error of x of the last form of a method over
 that of the row, the median over the scenes where both are certified by one orbit, and how many those are.)";
 
@@ -96,7 +96,8 @@ std::vector<Cell> row_of(const FormPlace& place, const Form& form, const Form& o
   return {std::get<std::string>(place),
           count_cell(n.applicable()),
           count_cell(n.claims()),
-          count_cell(n.certified),
+          n.unstable == 0 ? count_cell(n.certified)
+                          : Cell(fmt::format("{} ({} unstable)", n.certified, n.unstable), n.certified),
           count_cell(n.refuted),
           middle(form.errors, [](double error) { return fmt::format("{:.1e}", error); }),
           ratio_cell(ours, form),

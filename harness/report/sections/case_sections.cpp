@@ -28,15 +28,19 @@ Cell reached_cell(const Evaluation& evaluation, const ResolutionStudy& study, do
 std::vector<Cell> study_row(const Evaluation& evaluation, const ResolutionStudy& study) {
   const CaseResult& first = *study.runs.front().result;
   const std::string law = first.law != nullptr ? law_text(*first.law) : in_place(first.outcome.status);
+  OutcomeCounts counts;
+  for (const ScoredRun& run : study.runs) counts.add(run.result->outcome);
+  std::string motions = stability_text(counts.stable, counts.unstable, counts.certified);
+  if (evaluation.is_contact_free(study.scene)) motions += ", a motion without contact solves it";
   std::vector<Cell> row{study.scene, study.configuration, law,
-                        count_cell(solved_runs(study), std::ssize(study.runs))};
+                        count_cell(solved_runs(study), std::ssize(study.runs)), std::move(motions)};
   for (const double error : kErrorLevels) row.push_back(reached_cell(evaluation, study, error));
   return row;
 }
 
 /// Fills the table of a section with the studies of the scene's law, or of others.
 Section with_studies(const Evaluation& evaluation, bool another_law, Section section) {
-  section.table.header = {"scene", "method", "represents", "solved"};
+  section.table.header = {"scene", "method", "represents", "solved", "these motions are"};
   for (const double error : kErrorLevels) section.table.header.push_back(fmt::format("{:.0e}", error));
   Rows rows(section, "all are in measures.csv");
   for (const ResolutionStudy& study : evaluation.studies()) {
@@ -90,16 +94,21 @@ Cell time_cell(const Record& record) {
   if (record.status != Status::converged) return {in_place(record), kNeverReached};
   if (!record.seconds)
     return {record.not_timed.empty() ? "not timed" : "not timed: " + record.not_timed, kNeverReached};
-  return {time_text(record.seconds->median) + (record.seconds->unstable == true ? " (unstable)" : ""),
-          record.seconds->median};
+  const Seconds& seconds = *record.seconds;
+  const char* const remark = seconds.unsteady == true   ? " (unsteady)"
+                             : seconds.unstable == true ? " (unstable)"
+                                                        : "";
+  return {time_text(seconds.median) + remark + (seconds.load.value_or(0.0) > 1.0 ? " (loaded)" : ""),
+          seconds.median};
 }
 
-/// "12 p, 3 it": pivots and iterations.
+/// "12 p, 3 it, 186 points": pivots, iterations and points of a curve.
 std::string work_text(const Record& record) {
   const Work& work = record.work.counts;
   std::string text;
   if (work.pivots) text = fmt::format("{} p", *work.pivots);
   if (work.iterations) text += fmt::format("{}{} it", text.empty() ? "" : ", ", *work.iterations);
+  if (work.points) text += fmt::format("{}{} points", text.empty() ? "" : ", ", *work.points);
   if (!text.empty()) return text;
   return claim_of(record) ? "not counted" : in_place(record);
 }
@@ -133,9 +142,12 @@ largest; of the force itself in the mean square (L2) where it is a function of t
 worst contact and the force. penetration and complementarity are relative
 to the amplitude. restitution: speed after over speed before the impacts, as the answer shows it, least to largest.
 time: set-up and solve, the fastest repetition within a round, the median over rounds;
-unstable where rounds deviate by more than 5 % in the median. p: pivots, it:
-iterations (event-driven: periods marched or Newton steps). orbit: same as reached from rest under the represented
-law, or another one; unstable where a Floquet multiplier lies outside the unit circle. The orbits are exact ones,
+unstable where rounds deviate by more than 5 % in the median, unsteady where they differ by more than 25 % however
+often they are taken, loaded where other programs took time from them. p: pivots, it:
+iterations (event-driven: periods marched or Newton steps), points: of the curve that was followed to the answer.
+orbit: same as reached from rest under the represented
+law, or another one; stable where all Floquet multipliers lie inside the unit circle, unstable where one lies outside;
+without contact where it touches nothing. The orbits are exact ones,
 polished from each answer and followed by CVODE for a period; where there is none, they come from the event-driven
 method by shooting at tolerance 1e-12. These two methods are judged by related computations: exact-orbit by a second
 evaluation of its orbit, and by CVODE to about 1e-10.)";

@@ -22,15 +22,8 @@ namespace {
 constexpr std::string_view kText = R"(The methods of a row solve the same equations where their options are
 equal: their rows are one result, not two that confirm each other. Where impacts are closed the way to it is one
 and the same, too, and which of them is faster says nothing. Differences are relative, of the errors of x, over
-the cases that both solve on the same orbit.)";
-
-/// Whether every option that both runs have has the same value.
-bool have_equal_options(const CaseChoice& a, const CaseChoice& b) {
-  return std::ranges::all_of(a.options, [&](const auto& option) {
-    const auto other = std::ranges::find(b.options, option.first, &RecordedOptions::value_type::first);
-    return other == b.options.end() || other->second == option.second;
-  });
-}
+the cases that both solve on the same orbit. Same answers: the methods give the same answers to the last bit in every
+case, whatever they say of their equations.)";
 
 /// Cases of two methods with equal equations.
 struct Pairs {
@@ -52,6 +45,38 @@ void compare(const CaseResult& a, const CaseResult& b, Pairs& pairs) {
   }
 }
 
+using PairsByConfigurations = std::map<std::pair<std::string, std::string>, Pairs>;
+
+/// Adds pairs of configurations that nothing is said of, with the same answers to the last bit on every
+/// scene.
+void add_equal_answers(const Evaluation& evaluation, PairsByConfigurations& found) {
+  struct Answers {
+    std::string text = {};
+    int cases = 0;
+    bool known = true;
+  };
+  std::map<std::string, Answers> by_configuration;
+  for (const ResolutionStudy& study : evaluation.studies()) {
+    Answers& own = by_configuration[study.configuration];
+    const std::string answers = answers_of(study);
+    const auto claims = std::ranges::count_if(
+        study.runs, [](const ScoredRun& run) { return claim_of(run.result->outcome).has_value(); });
+    own.known = own.known && (claims == 0 || !answers.empty());
+    own.cases += static_cast<int>(claims);
+    if (claims > 0) own.text += study.scene + " " + answers;
+  }
+  std::map<std::string_view, std::string> first;  // with these answers
+  for (const auto& [configuration, own] : by_configuration) {
+    if (!own.known || own.cases == 0) continue;
+    const auto [place, fresh] = first.try_emplace(own.text, configuration);
+    if (fresh || found.contains({configuration, place->second}) ||
+        found.contains({place->second, configuration}))
+      continue;
+    found[{configuration, place->second + " (same answers)"}] = {
+        .cases = own.cases, .differences = std::vector<double>(static_cast<std::size_t>(own.cases), 0.0)};
+  }
+}
+
 Cell difference_cell(const Pairs& pairs, double difference) {
   if (pairs.differences.empty()) return {"none to compare", kNeverReached};
   return {fmt::format("{:.1e}", difference), difference};
@@ -60,15 +85,15 @@ Cell difference_cell(const Pairs& pairs, double difference) {
 }  // namespace
 
 Sections identity_sections(const Evaluation& evaluation) {
-  std::map<std::pair<std::string, std::string>, Pairs> found;  // by configuration
+  PairsByConfigurations found;
   for (const CaseResult& a : evaluation.results()) {
-    const std::string& same = a.choice->same_equations_as;
-    if (same.empty() || a.outcome.status == Status::not_applicable) continue;
+    if (a.choice->same_equations_as.empty() || a.outcome.status == Status::not_applicable) continue;
     for (const CaseResult& b : evaluation.results_of(a.scene->name)) {
-      if (b.choice->method == same && have_equal_options(*a.choice, *b.choice))
+      if (has_equations_of(*a.choice, *b.choice))
         compare(a, b, found[{a.choice->configuration, b.choice->configuration}]);
     }
   }
+  add_equal_answers(evaluation, found);
   Section section{.id = "equal-equations", .title = "Equal equations"};
   section.text = kText;
   section.table.header = {"method",

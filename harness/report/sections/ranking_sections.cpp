@@ -29,10 +29,8 @@ std::string error_title(double error) { return fmt::format("{:.0e}", error); }
 /// "rigid stop (e = 1), spring, 8 scenes".
 std::string contest_title(const Evaluation& evaluation, const RankingGroup& group) {
   std::set<SceneKind> kinds;
-  for (const std::string& scene : group.scenes) {
-    for (const CaseResult& result : evaluation.results_of(scene))
-      if (const std::optional<SceneKind> kind = kind_of(*result.scene)) kinds.insert(*kind);
-  }
+  for (const std::string& scene : group.scenes)
+    if (const std::optional<SceneKind> kind = kind_of(evaluation, scene)) kinds.insert(*kind);
   std::string title;
   for (const SceneKind kind : kinds) {
     std::string words{kind_title(kind)};
@@ -171,7 +169,8 @@ Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxi
 
 constexpr std::string_view kTimeToErrorText = R"(On how many scenes a method gets its error down to that of
 the column at any of its resolutions, and the median over all scenes of the time of the cheapest that does.
-Nothing is interpolated; a scene that is not solved counts as infinite. Runs on another orbit: those that
+Nothing is interpolated; a scene that is not solved counts as infinite. Motions of the first column are told
+stable or not: nobody will measure one that is not. Runs on another orbit: those that
 found another motion of the scene than the one reached from rest, which counts as well.)";
 
 constexpr std::string_view kMeansText =
@@ -193,11 +192,15 @@ void fill_time_to_error(const RankingGroup& group, Section& section) {
   section.text = kTimeToErrorText;
   section.table.header = {"method"};
   for (const double error : kErrorLevels) section.table.header.push_back(error_title(error));
-  section.table.header.emplace_back("runs on another orbit");
+  section.table.header.insert(section.table.header.end(), {"these motions are", "runs on another orbit"});
   for (std::size_t c = 0; c < group.configurations.size(); ++c) {
     std::vector<Cell> row{group.configurations[c]};
     for (const double error : kErrorLevels)
       row.push_back(reached_cell(costs_to_error(group, time_axis(), error)[c]));
+    Reach reach;  // to the error of the first column
+    for (const ResolutionStudy* study : group.studies[c]) reach.add(*study, kErrorLevels.front());
+    row.emplace_back(stability_text(reach.stable, reach.unstable, reach.scenes),
+                     static_cast<double>(reach.unstable));
     row.push_back(count_cell(runs_on_another_orbit(group.studies[c])));
     section.table.rows.push_back(std::move(row));
   }

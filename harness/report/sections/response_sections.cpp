@@ -68,6 +68,10 @@ Section verdict_section(std::span<const ResponseGroup> groups) {
   for (const ResponseGroup& group : groups) {
     std::vector<Cell>& row = section.table.rows.emplace_back();
     row.emplace_back(group_title(group));
+    if (group.is_too_small()) {
+      row.insert(row.end(), {std::string(kTooFewScenes), "-", "-", "-", "-", "-", "-", "-"});
+      continue;
+    }
     add_standing(row, recommended_of(group));
     add_standing(row, other_of(group));
   }

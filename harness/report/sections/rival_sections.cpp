@@ -16,7 +16,9 @@ constexpr std::string_view kRivalsText =
     R"(On the scenes whose law the plugin represents: how many it solves with
 errors of x, of the worst contact and of the force of at most 1e-2 and 1e-6. Its least time there, over that of the fastest of the program's own methods
 and over that of the fastest plain form of the literature, on the scenes that both solve: geometric mean (least
-to largest). Fastest: scenes on which no other method of the run is as fast.)";
+to largest). Over ours per point: of plugins that tell how many points of a curve they solved on the way to their
+answer, the same of their time for one point. Fastest: scenes on which no other method of the run is as fast. Scenes that
+a motion without contact solves are left out.)";
 
 /// Two digits, without an exponent where it is large: "0.043", "3.1", "4000".
 std::string ratio_text(double ratio) {
@@ -34,6 +36,14 @@ Cell ratio_cell(std::span<const double> ratios) {
       mean};
 }
 
+/// "186", "21 to 540"; "-" of none.
+Cell points_cell(std::span<const long> points) {
+  if (points.empty()) return {"-", kNeverReached};
+  return {points.front() == points.back() ? fmt::format("{}", points.front())
+                                          : fmt::format("{} to {}", points.front(), points.back()),
+          static_cast<double>(points.back())};
+}
+
 }  // namespace
 
 Sections rival_sections(const Evaluation& evaluation) {
@@ -43,14 +53,18 @@ Sections rival_sections(const Evaluation& evaluation) {
   section.table.header = {"method"};
   for (const double error : kRivalErrors) {
     section.table.header.push_back(fmt::format("to {:.0e}", error));
-    for (const char* title : {"time over ours", "over plain forms", "fastest"})
+    for (const char* title : {"these motions are", "time over ours", "points", "over ours per point",
+                              "over plain forms", "fastest"})
       section.table.header.emplace_back(title);
   }
   for (const Rival& rival : rivals(evaluation)) {
     std::vector<Cell> row{rival.configuration};
     for (const RivalTimes& times : rival.at) {
       row.push_back(count_cell(times.reached, times.scenes));
+      row.emplace_back(stability_text(times.stable, times.unstable, times.reached));
       row.push_back(ratio_cell(times.to_own));
+      row.push_back(points_cell(times.points));
+      row.push_back(ratio_cell(times.per_point));
       row.push_back(ratio_cell(times.to_plain));
       row.push_back(count_cell(times.fastest));
     }

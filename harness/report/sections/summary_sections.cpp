@@ -22,7 +22,10 @@ constexpr std::array kSummaryErrors{1e-1, 1e-2, 1e-3};
 
 /// What a configuration, or one of its resolutions, makes of the scenes.
 struct Account {
-  int own = 0, solved = 0;          ///< scenes of its law
+  int own = 0, solved = 0;       ///< scenes of its law
+  int stable = 0, unstable = 0;  ///< of the solved ones, by the motion found
+  int free = 0,
+      free_solved = 0;  ///< scenes of its law that a motion without contact solves, in no other figure
   int other = 0, other_solved = 0;  ///< scenes of which it represents another law
   // On scenes of its law, infinite where it does not solve them.
   std::vector<double> errors = {}, impulses = {}, seconds = {}, ratios = {};
@@ -56,6 +59,8 @@ void add_scene(bool another_law, const CaseResult* certified, Account& account) 
   ++(another_law ? account.other : account.own);
   if (certified != nullptr) ++(another_law ? account.other_solved : account.solved);
   if (another_law) return;
+  if (certified != nullptr && certified->outcome.stable)
+    ++(*certified->outcome.stable ? account.stable : account.unstable);
   const auto add = [](const Measure& error, std::vector<double>& errors) {
     if (error) errors.push_back(*error);  // else the notion does not exist: no contact takes an impulse, say
   };
@@ -76,8 +81,16 @@ const CaseResult* best_of(const ResolutionStudy& study) {
   return best;
 }
 
-void add_study(const ResolutionStudy& study, Account& account) {
+/// Counts a scene that a motion without contact solves.
+void add_free_scene(bool another_law, bool is_certified, Account& account) {
+  if (another_law) return;
+  ++account.free;
+  account.free_solved += is_certified ? 1 : 0;
+}
+
+void add_study(bool contact_free, const ResolutionStudy& study, Account& account) {
   const bool another_law = study.eligibility == Eligibility::another_law;
+  if (contact_free) return add_free_scene(another_law, best_of(study) != nullptr, account);
   add_scene(another_law, best_of(study), account);
   for (std::size_t i = 0; !another_law && i < kSummaryErrors.size(); ++i)
     account.to_error[i].add(study, kSummaryErrors[i]);
@@ -89,6 +102,15 @@ Cell reach_cell(const Reach& reach) {
   const std::string count = fmt::format("{} of {}", reach.scenes, reach.seconds.size());
   const double middle = reach.median_seconds();
   return {std::isfinite(middle) ? count + ", " + time_text(middle) : count, middle};
+}
+
+Cell free_cell(const Account& account) {
+  return account.free == 0 ? Cell("-", 0.0) : count_cell(account.free_solved, account.free);
+}
+
+Cell stability_cell(const Account& account) {
+  return {stability_text(account.stable, account.unstable, account.solved),
+          static_cast<double>(account.unstable)};
 }
 
 Cell solved_cell(const Account& account) {
@@ -106,18 +128,22 @@ std::string repeated_remark(std::ptrdiff_t repeated) {
 }
 
 constexpr std::string_view kSummaryText = R"(Of the scenes whose law a method represents: on how many it is
-certified to have found a motion of that scene, stable or not, at any of its resolutions; its least error of x,
+certified to have found a motion of that scene at any of its resolutions, and how many of these motions are
+stable: nobody will measure one that is not; its least error of x,
 and the error of the contact impulse of that answer, medians over these scenes; then how many it solves with
 errors of x, of the worst contact and of the force of at most 1e-1, 1e-2 and 1e-3, and the median time of the cheapest resolution that does. A scene that
 is not solved counts as infinite, an error that is only known to be below a bound as that bound. Under another
-law: scenes of which the method solves another problem, one with another law of impact, and how many of those.)";
+law: scenes of which the method solves another problem, one with another law of impact, and how many of those.
+Without contact: scenes that a motion solves which touches nothing, and how many of those; they count in no other
+column.)";
 
 constexpr std::string_view kOutcomesText = R"(Every run, of whatever law. A method that says converged is
 certified (the harness has found the exact orbit of its answer), refuted (it has found the answer wrong), or
-unproven (neither). Another orbit: certified, but not the motion reached from rest.)";
+unproven (neither). Stable and unstable: certified, by the multipliers of the orbit; of the rest they are not
+determined. Another orbit: certified, but not the motion reached from rest.)";
 
 constexpr std::string_view kSpeedText = R"(Each resolution over the scenes whose law the method represents.
-Medians are over all of them, failures as infinite: a time grows with the failures too. Methods of other laws have
+Scenes that a motion without contact solves are left out. Medians are over all others, failures as infinite: a time grows with the failures too. Methods of other laws have
 other scenes, so that rows rank nothing: time at equal error and on equal scenes is in the sections on time to
 error.)";
 
@@ -151,6 +177,10 @@ std::vector<std::pair<std::string, Account>> accounts_by_resolution(const Evalua
     if (fresh) result.push_back({place->first, {}});
     Account& account = result[place->second].second;
     const bool another_law = is_of_another_law(evaluation, r);
+    if (evaluation.is_contact_free(r.scene->name)) {
+      add_free_scene(another_law, claim_of(r.outcome) == Claim::certified, account);
+      continue;
+    }
     add_scene(another_law, claim_of(r.outcome) == Claim::certified ? &r : nullptr, account);
     if (another_law) continue;
     account.seconds.push_back(solved_time(r));
@@ -170,18 +200,21 @@ Sections summary_sections(const Evaluation& evaluation) {
     if (evaluation.is_repeated(study))
       ++repeated;
     else
-      add_study(study, accounts[evaluation.place_of(study.configuration)]);
+      add_study(evaluation.is_contact_free(study.scene), study,
+                accounts[evaluation.place_of(study.configuration)]);
   }
   Section section{.id = "summary", .title = "What is solved, how well, and how fast"};
-  section.text = kSummaryText;
-  section.table.header = {"method", "solved", "error of x", "error of impulse"};
+  section.text = std::string(kSummaryText);
+  if (!evaluation.times_remark().empty()) section.text += " " + evaluation.times_remark();
+  section.table.header = {"method", "solved", "these motions are", "error of x", "error of impulse"};
   for (const double error : kSummaryErrors) section.table.header.push_back(fmt::format("to {:.0e}", error));
-  section.table.header.emplace_back("under another law");
+  section.table.header.insert(section.table.header.end(), {"without contact", "under another law"});
   for (std::size_t place = 0; place < accounts.size(); ++place) {
     const Account& account = accounts[place];
-    std::vector<Cell> row{evaluation.configurations()[place], solved_cell(account),
+    std::vector<Cell> row{evaluation.configurations()[place], solved_cell(account), stability_cell(account),
                           error_median(account.errors), error_median(account.impulses)};
     for (const Reach& reach : account.to_error) row.push_back(reach_cell(reach));
+    row.push_back(free_cell(account));
     row.push_back(other_law_cell(account));
     section.table.rows.push_back(std::move(row));
   }
@@ -195,14 +228,14 @@ Sections outcome_sections(const Evaluation& evaluation) {
     counts[evaluation.place_of(result.choice->configuration)].add(result.outcome);
   Section section{.id = "outcomes", .title = "Outcomes of every run"};
   section.text = kOutcomesText;
-  section.table.header = {"method",    "runs",     "not applicable", "failed",       "says converged",
-                          "certified", "unproven", "refuted",        "another orbit"};
+  section.table.header = {"method", "runs",     "not applicable", "failed",  "says converged", "certified",
+                          "stable", "unstable", "unproven",       "refuted", "another orbit"};
   for (std::size_t place = 0; place < counts.size(); ++place) {
     const OutcomeCounts& n = counts[place];
     section.table.rows.push_back({evaluation.configurations()[place], count_cell(n.cases),
                                   count_cell(n.not_applicable), count_cell(n.failed), count_cell(n.claims()),
-                                  count_cell(n.certified), count_cell(n.unproven), count_cell(n.refuted),
-                                  count_cell(n.other_orbit)});
+                                  count_cell(n.certified), count_cell(n.stable), count_cell(n.unstable),
+                                  count_cell(n.unproven), count_cell(n.refuted), count_cell(n.other_orbit)});
   }
   return {std::move(section)};
 }
@@ -212,6 +245,7 @@ Sections speed_sections(const Evaluation& evaluation) {
   section.text = kSpeedText;
   section.table.header = {"method",
                           "solved",
+                          "these motions are",
                           "error of x, median",
                           "error of impulse, median",
                           "time, median",
@@ -220,8 +254,8 @@ Sections speed_sections(const Evaluation& evaluation) {
   const auto ratio_text = [](double ratio) { return fmt::format("{:.2g}", ratio); };
   for (const auto& [method, account] : accounts_by_resolution(evaluation)) {
     section.table.rows.push_back(
-        {method, solved_cell(account), error_median(account.errors), error_median(account.impulses),
-         median_cell(account.seconds, time_text),
+        {method, solved_cell(account), stability_cell(account), error_median(account.errors),
+         error_median(account.impulses), median_cell(account.seconds, time_text),
          account.ratios.empty() ? "not measured" : median_cell(account.ratios, ratio_text),
          other_law_cell(account)});
   }

@@ -137,7 +137,7 @@ TEST(MarkdownReport, SaysWhyAnAnswerIsUncertified) {
   const std::string report = markdown_of(test::records_of_every_status());
   EXPECT_EQ(row_of(report, "n=2")[kOrbit], "uncertified: Newton's method failed");
   EXPECT_EQ(row_of(report, "n=2")[kError], "uncertified");
-  EXPECT_EQ(row_of(report, "n=1")[kOrbit], "same");
+  EXPECT_EQ(row_of(report, "n=1")[kOrbit], "same, stability not determined");
   EXPECT_EQ(row_of(report, "n=1")[kError], "1.2e-01");
 }
 
@@ -149,7 +149,7 @@ TEST(MarkdownReport, MarksAnotherLawAndAnotherOrbit) {
   const std::vector<std::string> row = row_of(markdown_of({record}), "n=1");
   EXPECT_EQ(row[1], "e = 0.5");
   EXPECT_EQ(row[3], "e = 1 ≠ scene");
-  EXPECT_EQ(row[kOrbit], "other (0a1b2c3d)");
+  EXPECT_EQ(row[kOrbit], "other (0a1b2c3d), stability not determined");
 }
 
 TEST(MarkdownReport, SaysWhichOrbitsAreUnstable) {
@@ -166,15 +166,18 @@ TEST(MarkdownReport, SetsTimesBesideMarchingSceneByScene) {
     records.push_back(test::good_record(scene, "m", "n=1", 0.1 * seconds, 0.25));
   }
   // Three ratios: 0.25, 0.125, 0.0625.
-  EXPECT_EQ(row_of(markdown_of(records), "n=1", 7),
-            (std::vector<std::string>{"m[n=1]", "3 of 3", "2.0e-01", "-", "250 ms", "0.12", "-"}));
+  for (Record& record : records) record.certificate.stable = true;
+  EXPECT_EQ(
+      row_of(markdown_of(records), "n=1", 8),
+      (std::vector<std::string>{"m[n=1]", "3 of 3", "3 stable", "2.0e-01", "-", "250 ms", "0.12", "-"}));
   // A failure counts as infinite; two of three make the median so.
   records[1].status = Status::timeout;
-  EXPECT_EQ(row_of(markdown_of(records), "n=1", 7)[5], "0.12");
+  EXPECT_EQ(row_of(markdown_of(records), "n=1", 8)[6], "0.12");
   records[3].status = Status::timeout;
-  EXPECT_EQ(row_of(markdown_of(records), "n=1", 7),
-            (std::vector<std::string>{"m[n=1]", "1 of 3", "half or more failed", "half or more failed",
-                                      "half or more failed", "half or more failed", "-"}));
+  EXPECT_EQ(
+      row_of(markdown_of(records), "n=1", 8),
+      (std::vector<std::string>{"m[n=1]", "1 of 3", "1 stable", "half or more failed", "half or more failed",
+                                "half or more failed", "half or more failed", "-"}));
 }
 
 std::vector<std::string> summary_of(const std::vector<Record>& records, const std::string& method) {
@@ -200,8 +203,8 @@ TEST(MarkdownReport, DoesNotRewardFragilityByAveragingSurvivors) {
     records.push_back(fragile);
     records.push_back(test::good_record("s" + std::to_string(i), "robust", "n=1", 0.1, 2.0));
   }
-  EXPECT_EQ(summary_of(records, "fragile")[4], "3 of 8");
-  EXPECT_EQ(summary_of(records, "robust")[4], "8 of 8, 2 s");
+  EXPECT_EQ(summary_of(records, "fragile")[5], "3 of 8");
+  EXPECT_EQ(summary_of(records, "robust")[5], "8 of 8, 2 s");
 }
 
 }  // namespace

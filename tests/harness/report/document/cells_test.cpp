@@ -38,7 +38,7 @@ TEST(OrbitText, SaysWhyThereIsNoReference) {
   Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
   record.certificate.same_orbit.reset();
   record.certificate.reference_reason = "chaos";
-  EXPECT_EQ(orbit_text(record), "0a1b2c3d (no reference: chaos)");
+  EXPECT_EQ(orbit_text(record), "0a1b2c3d, stability not determined (no reference: chaos)");
 }
 
 }  // namespace

@@ -10,16 +10,17 @@ namespace signorini::response_standings_test {
 namespace {
 
 TEST(ResponseStandings, RecommendTheCheapestOfThoseThatFindNearlyAsMuchAndInventLittle) {
-  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
+                              test::exact_response("c")};
   test::add_method(records, "exact-orbit", 1.0, 0.0, 9.0);
   test::add_method(records, "most", 0.92, 0.04, 8.0);
-  test::add_method(records, "nearly", 0.88, 0.05, 4.0);
+  test::add_method(records, "nearly", 0.88, 0.049, 4.0);
   test::add_method(records, "cheap", 0.5, 0.0, 1.0);
   test::add_method(records, "inventive", 1.0, 0.06, 0.1);
   const std::vector<ResponseGroup> groups = response_groups(records);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].kind, SceneKind::rigid_stop);
-  EXPECT_EQ(group_title(groups[0]), "Rigid stop (e = 1), 2 responses");
+  EXPECT_EQ(group_title(groups[0]), "Rigid stop (e = 1), 3 responses");
   ASSERT_EQ(groups[0].standings.size(), 5U);
   for (const ResponseStanding& one : groups[0].standings) {
     EXPECT_EQ(one.recommended, one.label == "exact-orbit") << one.label;
@@ -32,47 +33,63 @@ TEST(ResponseStandings, RecommendTheCheapestOfThoseThatFindNearlyAsMuchAndInvent
   EXPECT_DOUBLE_EQ(groups[0].standings[1].cost.value(), 4.0 / 1.5);
 }
 
+TEST(ResponseStandings, RecommendNothingOfTwoResponses) {
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
+                              test::exact_response("c")};
+  test::add_method(records, "m", 0.5, 0.0, 1.0);
+  test::add_method(records, "better", 1.0, 0.0, 1.0);
+  std::erase_if(records, [](const Record& record) { return record.scene == "c"; });
+  const ResponseGroup group = response_groups(records).at(0);
+  EXPECT_TRUE(group.is_too_small());
+  EXPECT_EQ(group.standings[0].label, "better");
+  for (const ResponseStanding& one : group.standings)
+    EXPECT_FALSE(one.recommended || one.recommended_otherwise) << one.label;
+}
+
 TEST(ResponseStandings, CountAResponseThatAMethodDoesNotApplyToAsNotFound) {
-  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
+                              test::exact_response("c")};
   test::add_method(records, "half", 1.0, 0.0, 1.0);
   records.back().status = Status::not_applicable;
   records.back().response->comparison.reset();
-  test::add_method(records, "all", 0.7, 0.0, 9.0);
+  test::add_method(records, "all", 0.9, 0.0, 9.0);
   const std::vector<ResponseStanding> standings = response_groups(records).at(0).standings;
   EXPECT_EQ(standings[0].label, "all");
   EXPECT_TRUE(standings[0].recommended);
-  EXPECT_DOUBLE_EQ(standings[1].found, 0.5);
-  EXPECT_EQ(standings[1].asked, 1);
+  EXPECT_DOUBLE_EQ(standings[1].found, 2.0 / 3.0);
+  EXPECT_EQ(standings[1].asked, 2);
 }
 
 // Branches of restitution 1 cover part of those of restitution 0.8: right for no law of theirs.
 TEST(ResponseStandings, CountABranchOfAnotherLawNowhere) {
-  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
+                              test::exact_response("c")};
   test::add_method(records, "m", 1.0, 0.0, 1.0);
   test::add_method(records, "n", 0.6, 0.0, 1.0);
   for (Record& record : records)
     if (record.method == "m" && record.scene == "b") record.law_matches_scene = false;
   const std::vector<ResponseStanding> standings = response_groups(records).at(0).standings;
   const ResponseStanding& mixed = *std::ranges::find(standings, "m", &ResponseStanding::label);
-  EXPECT_DOUBLE_EQ(mixed.found, 0.5);
-  EXPECT_EQ(mixed.asked, 1);
-  EXPECT_EQ(mixed.points, 2);
+  EXPECT_DOUBLE_EQ(mixed.found, 2.0 / 3.0);
+  EXPECT_EQ(mixed.asked, 2);
+  EXPECT_EQ(mixed.points, 4);
   for (Record& record : records)
     if (record.method == "m") record.law_matches_scene = false;
   EXPECT_EQ(response_groups(records).at(0).standings.size(), 1U);
 }
 
 TEST(ResponseStandings, KeepKindsOfScenesApart) {
-  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
+                              test::exact_response("c")};
   test::add_method(records, "m", 0.9, 0.0, 1.0);
   for (Record& record : records)
     if (record.scene == "b") record.contacts = kManyContacts;
   const std::vector<ResponseGroup> groups = response_groups(records);
   ASSERT_EQ(groups.size(), 2U);
-  EXPECT_EQ(groups[0].scenes, std::vector<std::string>{"a"});
+  EXPECT_EQ(groups[0].scenes, (std::vector<std::string>{"a", "c"}));
   EXPECT_EQ(groups[1].kind, SceneKind::many_contacts);
   for (Record& record : records) record.scene_law.reset();
-  EXPECT_EQ(group_title(response_groups(records).at(0)), "Scenes of unrecorded law, 2 responses");
+  EXPECT_EQ(group_title(response_groups(records).at(0)), "Scenes of unrecorded law, 3 responses");
 }
 
 TEST(ResponseStandings, LeaveOutScenesThatNothingWasComparedOn) {

@@ -52,6 +52,24 @@ TEST(Rivals, AreComparedAtEqualErrorOnTheScenesThatBothSolve) {
   EXPECT_EQ(fine.fastest, 1);
 }
 
+TEST(Rivals, AreComparedPointByPointOfTheirCurvesAndNotWhereNothingTouches) {
+  std::vector<Record> records{
+      foreign(test::good_record("a", "theirs", "n=1", 1e-3, 4.0)),
+      test::good_record("a", "ours", "n=1", 1e-3, 2.0),
+      foreign(test::good_record("far-away", "theirs", "n=1", 1e-3, 4.0)),
+      test::good_record("far-away", "ours", "n=1", 1e-3, 2.0),
+  };
+  records[0].work.counts.points = 200;
+  records[0].certificate.stable = false;
+  for (std::size_t i : {2U, 3U}) records[i].physics.contact_ratio = 0.0;  // and no event
+  const RivalTimes times = rivals(Evaluation(records)).at(0).at[0];
+  EXPECT_EQ(times.scenes, 1);
+  EXPECT_EQ(times.to_own, std::vector<double>{2.0});
+  EXPECT_EQ(times.points, std::vector<long>{200});
+  EXPECT_EQ(times.per_point, std::vector<double>{0.01});
+  EXPECT_EQ(times.unstable, 1);
+}
+
 TEST(Rivals, AreNotComparedUnderAnotherLaw) {
   Record other = foreign(test::good_record("a", "theirs", "n=1", 1e-3, 1.0));
   other.law_matches_scene = false;

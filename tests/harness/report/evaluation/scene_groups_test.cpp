@@ -65,7 +65,9 @@ TEST(SceneGroups, PutScenesSolvedBeforeTime) {
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].kind, SceneKind::rigid_stop);
   EXPECT_EQ(groups[0].scenes, (Names{"s0", "s1", "s2"}));
-  EXPECT_EQ(order(groups[0]), (Names{"*slow", "slower", "quick-on-two"}));
+  EXPECT_EQ(order(groups[0]), (Names{"*slow", "slower", "*quick-on-two"}));
+  EXPECT_EQ(groups[0].standings[0].reason, "as many scenes as others, soonest");
+  EXPECT_EQ(groups[0].standings[2].reason, "one scene fewer, 2e+06 times as fast");
   EXPECT_EQ(groups[0].standings[2].reach[0].scenes, 3);
   EXPECT_EQ(groups[0].standings[2].reach[1].scenes, 2);
   EXPECT_EQ(groups[0].standings[2].reach[2].scenes, 0);
@@ -86,6 +88,97 @@ TEST(SceneGroups, RecommendAllThatTieAndNobodyWhereNobodyGetsThere) {
     if (record.method == "failing") record.status = Status::timeout;
   }
   EXPECT_EQ(order(scene_groups(Evaluation(coarse))[0]), (Names{"a", "failing"}));
+}
+
+TEST(SceneGroups, NameBothWhereOneSceneDecides) {
+  std::vector<Record> records;
+  add(records, "thorough", {9e-3, 9e-3, 9e-3}, 0.43);
+  add(records, "quick", {9e-3, 9e-3, 2e-2}, 0.05);
+  add(records, "quick-too", {9e-3, 9e-3, 2e-2}, 0.06);
+  add(records, "slow", {9e-3, 9e-3, 2e-2}, 0.42);
+  const SceneGroup group = scene_groups(Evaluation(records)).front();
+  EXPECT_EQ(order(group), (Names{"*thorough", "*quick", "quick-too", "slow"}));
+  EXPECT_EQ(group.standings[0].reason, "most scenes");
+  EXPECT_EQ(group.standings[1].reason, "one scene fewer, 8.6 times as fast");
+  std::erase_if(records, [](const Record& record) { return record.method.starts_with("quick"); });
+  EXPECT_EQ(order(scene_groups(Evaluation(records)).front()), (Names{"*thorough", "slow"}))
+      << "no faster than the machine is steady";
+}
+
+TEST(SceneGroups, RecommendNothingOfTwoScenes) {
+  std::vector<Record> records;
+  add(records, "m", {1e-3, 1e-3, 1e-3}, 1.0);
+  records.pop_back();
+  const SceneGroup group = scene_groups(Evaluation(records)).front();
+  EXPECT_TRUE(group.is_too_small());
+  EXPECT_EQ(order(group), (Names{"m"}));
+}
+
+TEST(SceneGroups, PutScenesThatAMotionWithoutContactSolvesIntoAGroupOfTheirOwn) {
+  std::vector<Record> records;
+  add(records, "m", {1e-3, 1e-3, 1e-3}, 1.0);
+  add(records, "other", {1e-3, 1e-3, 1e-3}, 1.0);
+  for (Record& record : records) {
+    record.physics.contact_ratio = 0.2;
+    record.certificate.events = {{.kind = ContactEvent::Kind::close}, {.kind = ContactEvent::Kind::open}};
+  }
+  // One of two answers on s0: the other one found another motion of the scene.
+  records[0].certificate.events.clear();
+  records[0].physics.contact_ratio = 0.0;
+  // A contact that is closed throughout on s1.
+  records[1].certificate.events.clear();
+  records[1].physics.contact_ratio = 1.0;
+  const std::vector<SceneGroup> groups = scene_groups(Evaluation(records));
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0].scenes, (Names{"s1", "s2"}));
+  EXPECT_EQ(groups[0].standings[0].reach[0].seconds.size(), 2U) << "neither for nor against";
+  EXPECT_EQ(groups[1].kind, SceneKind::contact_free);
+  EXPECT_EQ(groups[1].scenes, (Names{"s0"}));
+  // An answer that nothing certifies moves no scene.
+  records[0].certificate.status = CertificateStatus::uncertified;
+  EXPECT_EQ(scene_groups(Evaluation(records)).size(), 1U);
+}
+
+TEST(SceneGroups, CountMotionsThatNobodyWillMeasure) {
+  std::vector<Record> records;
+  add(records, "m", {1e-3, 1e-3, 5e-2}, 1.0);
+  records[0].certificate.stable = true;
+  records[2].certificate.stable = false;
+  // A faster run found an unstable motion of s1, and stands for it.
+  records.push_back(test::good_record("s1", "m", "n=2", 1e-3, 0.1));
+  records.back().certificate.stable = false;
+  const Standing standing = scene_groups(Evaluation(records)).front().standings.front();
+  EXPECT_EQ(standing.reach[0].scenes, 3);
+  EXPECT_EQ(standing.reach[0].stable, 1);
+  EXPECT_EQ(standing.reach[0].unstable, 2);
+  EXPECT_EQ(standing.reach[1].unstable, 1);
+}
+
+TEST(SceneGroups, ShowOneResultOnce) {
+  std::vector<Record> records;
+  add(records, "first", {1e-3, 1e-3, 1e-3}, 1.0);
+  add(records, "same-bits", {1e-3, 1e-3, 1e-3}, 2.0);
+  add(records, "same-equations", {1e-3, 1e-3, 1e-3}, 1.05);
+  add(records, "another", {1e-3, 1e-3, 1e-3}, 3.0);
+  for (Record& record : records) record.answer = record.scene + record.method;
+  for (Record& record : records)
+    if (record.method == "same-bits") record.answer = record.scene + "first";
+  for (Record& record : records) record.options = {{"n", 1L}};
+  for (Record& record : records)
+    if (record.method == "same-equations") record.same_equations_as = "first";
+  const auto standings = [&] { return scene_groups(Evaluation(records)).front().standings; };
+  ASSERT_EQ(standings().size(), 2U);
+  EXPECT_EQ(standings()[0].names(), "first = same-equations = same-bits");
+  EXPECT_EQ(standings()[1].names(), "another");
+  // One answer that differs makes two results; other options other equations.
+  records[4].answer = "by a bit";
+  records[7].options = {{"n", 2L}};
+  EXPECT_EQ(standings().size(), 4U);
+  EXPECT_EQ(order(scene_groups(Evaluation(records)).front()),
+            (Names{"*first", "*same-equations", "same-bits", "another"}));
+  // Answers of earlier versions have no digest.
+  for (Record& record : records) record.answer.clear();
+  EXPECT_EQ(standings().size(), 4U);
 }
 
 TEST(SceneGroups, CountScenesOfAnotherLawAsNotReachedAndLeaveOutWhoRepresentsNone) {

@@ -30,11 +30,12 @@ TEST(AblationSections, GoFromThePlainFormToTheDefaultAndCountWhatIsConvergedAndC
   records[2].status = Status::not_converged;  // a, plain
   records[6].status = Status::inaccurate;     // b, plain
   records[9].status = Status::not_applicable;
+  records[4].certificate.stable = false;  // b, default
   EXPECT_EQ(ablation(records),
             (Rows{{"m[h=40,plain=true]", "3", "2", "1", "1", "1.0e-01", "0.01 (1)", "4 s"},
                   {"m[h=40,plain=true,solver=pivoting]", "3", "3", "3", "0", "5.0e-02", "0.02 (3)", "8 s"},
                   {"m[h=40,compensate=false]", "2", "2", "2", "0", "1.0e-02", "0.1 (2)", "1 s"},
-                  {"m[h=40]", "3", "3", "3", "0", "1.0e-03", "·", "2 s"}}));
+                  {"m[h=40]", "3", "3", "3 (1 unstable)", "0", "1.0e-03", "·", "2 s"}}));
 }
 
 TEST(AblationSections, CompareEqualResolutionsOfMethodsThatHaveAPlainForm) {

@@ -25,15 +25,15 @@ TEST(SceneSections, GiveTheCheapestRunThatReachesEachError) {
   EXPECT_EQ(section.kind, SectionKind::scenes);
   ASSERT_EQ(section.table.rows.size(), 1U);
   // To 1e-1, 1e-2, 1e-3, 1e-6 and 1e-9: n=3 is accurate enough for 1e-2, but slower than n=2.
-  EXPECT_EQ(texts_of(section.table.rows[0]),
-            (Row{"s", "m", "e = 1", "3 of 3", "1 ms", "10 ms", "10 ms", "not reached", "not reached"}));
-  EXPECT_EQ(section.table.rows[0][5].record, 1U) << "n=2";
+  EXPECT_EQ(texts_of(section.table.rows[0]), (Row{"s", "m", "e = 1", "3 of 3", "3 not determined", "1 ms",
+                                                  "10 ms", "10 ms", "not reached", "not reached"}));
+  EXPECT_EQ(section.table.rows[0][6].record, 1U) << "n=2";
 }
 
 TEST(SceneSections, CreditNoTimeWhereThereIsNone) {
   std::vector<Record> records{test::good_record("s", "m", "n=1", 0.05, 1.0)};
   records[0].seconds.reset();
-  EXPECT_EQ(texts_of(scene_sections(Evaluation(records)).front().table.rows[0])[4], "not timed");
+  EXPECT_EQ(texts_of(scene_sections(Evaluation(records)).front().table.rows[0])[5], "not timed");
 }
 
 TEST(OtherLawSections, ShowWhatIsRankedAgainstNobody) {
@@ -101,6 +101,10 @@ TEST(CaseSections, ShowNoTimeOfAnAnswerThatIsWrong) {
   EXPECT_EQ(text_of(record, "time"), "500 ms");
   record.seconds->unstable = true;
   EXPECT_EQ(text_of(record, "time"), "500 ms (unstable)");
+  record.seconds->unsteady = true;
+  EXPECT_EQ(text_of(record, "time"), "500 ms (unsteady)");
+  record.seconds->load = 1.5;
+  EXPECT_EQ(text_of(record, "time"), "500 ms (unsteady) (loaded)");
   record.status = Status::inaccurate;
   EXPECT_EQ(text_of(record, "time"), "(inaccurate)");
   record.status = Status::converged;
@@ -108,6 +112,22 @@ TEST(CaseSections, ShowNoTimeOfAnAnswerThatIsWrong) {
   EXPECT_EQ(text_of(record, "time"), "not timed");
   record.not_timed = "not a Release build";
   EXPECT_EQ(text_of(record, "time"), "not timed: not a Release build");
+}
+
+TEST(CaseSections, SayWhetherTheMotionIsStableAndTouchesAnything) {
+  Record record = test::good_record("s", "m", "n=1", 0.1, 0.5);
+  EXPECT_EQ(text_of(record, "orbit"), "same, stability not determined");
+  record.certificate.stable = true;
+  EXPECT_EQ(text_of(record, "orbit"), "same, stable");
+  record.physics.contact_ratio = 0.0;  // and no event
+  EXPECT_EQ(text_of(record, "orbit"), "same, stable, without contact");
+  record.certificate.stable = false;
+  record.certificate.same_orbit.reset();
+  record.certificate.reference_reason = "the time is up";
+  record.physics.contact_ratio = 1.0;  // closed throughout
+  EXPECT_EQ(text_of(record, "orbit"), "0a1b2c3d, unstable (no reference: the time is up)");
+  record.work.counts = {.iterations = 3, .points = 186};
+  EXPECT_EQ(text_of(record, "pivots, iterations"), "3 it, 186 points");
 }
 
 TEST(CaseSections, ShowTheForceBesideTheMotion) {

@@ -37,22 +37,30 @@ TEST(ResponseSections, NameTheLawOfAMethodThatRepresentsAnother) {
   EXPECT_EQ(section(sections, "response-cases").table.rows.at(0)[2].text, "e = 1");
   EXPECT_EQ(section(sections, "located").table.rows.at(0)[4].text, "2.0e-01 (e = 1)");
   EXPECT_TRUE(section(sections, "responses").table.rows.empty());
-  EXPECT_EQ(section(sections, "response-verdict").table.rows.at(0)[1].text, "-");
+  EXPECT_EQ(section(sections, "response-verdict").table.rows.at(0)[1].text, kTooFewScenes);
 }
 
 TEST(ResponseSections, RecommendForEachKindOfScenes) {
-  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
+                              test::exact_response("c")};
   test::add_method(records, "exact-orbit", 1.0, 0.0, 9.0);
   test::add_method(records, "m", 0.9, 0.0, 3.0);
-  for (Record& record : records)
-    if (record.scene == "b") record.scene_law = Penalty{{10.0}};
+  for (Record record : std::vector<Record>(records)) {
+    if (record.scene != "b") continue;
+    record.scene = "k";
+    record.case_id += " k";
+    record.scene_law = Penalty{{10.0}};
+    records.push_back(record);
+  }
   const Section verdict = section(response_sections(Evaluation(records)), "response-verdict");
   ASSERT_EQ(verdict.table.rows.size(), 2U);
-  EXPECT_EQ(verdict.table.rows[0][0].text, "Rigid stop (e = 1), 1 response");
+  EXPECT_EQ(verdict.table.rows[0][0].text, "Rigid stop (e = 1), 3 responses");
+  EXPECT_EQ(verdict.table.rows[0][1].text, "exact-orbit");
+  EXPECT_EQ(verdict.table.rows[0][2].text, "100.0 %");
+  EXPECT_EQ(verdict.table.rows[0][5].text, "m");
   EXPECT_EQ(verdict.table.rows[1][0].text, "Spring, 1 response");
-  EXPECT_EQ(verdict.table.rows[1][1].text, "exact-orbit");
-  EXPECT_EQ(verdict.table.rows[1][2].text, "100.0 %");
-  EXPECT_EQ(verdict.table.rows[1][5].text, "m");
+  EXPECT_EQ(verdict.table.rows[1][1].text, kTooFewScenes);
+  EXPECT_EQ(verdict.table.rows[1].size(), verdict.table.header.size());
 }
 
 TEST(ResponseSections, GiveEachLocatedPointWithItsErrorOrADash) {
@@ -81,7 +89,8 @@ TEST(ResponseSections, SayWhereAMethodDoesNotApplyOrTheTruthIsOpen) {
 }
 
 TEST(ResponseSections, RecommendNothingWhereNoMethodQualifies) {
-  std::vector<Record> records{test::exact_response("a"), test::exact_response("b")};
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
+                              test::exact_response("c")};
   test::add_method(records, "inventive", 1.0, 0.5, 0.1);
   const std::vector<Cell> row =
       section(response_sections(Evaluation(records)), "response-verdict").table.rows.at(0);

@@ -15,6 +15,8 @@ TEST(RivalSections, TellTheRatioOfTimesWithItsRange) {
   for (const auto& [scene, seconds] : {std::pair("a", 2.0), std::pair("b", 200.0)}) {
     records.push_back(test::good_record(scene, "theirs", "n=1", 1e-3, seconds));
     records.back().plugin = "of somebody";
+    records.back().work.counts.points = seconds > 10.0 ? 50 : 2;
+    records.back().certificate.stable = true;
     records.push_back(test::good_record(scene, "ours", "n=1", 1e-8, 1.0));
   }
   const Evaluation evaluation(records);
@@ -22,8 +24,9 @@ TEST(RivalSections, TellTheRatioOfTimesWithItsRange) {
   ASSERT_EQ(section.table.rows.size(), 1U);
   std::vector<std::string> texts;
   for (const Cell& cell : section.table.rows[0]) texts.push_back(cell.text);
-  EXPECT_EQ(texts, (std::vector<std::string>{"theirs", "2 of 2", "20 (2 to 200)", "-", "0", "0 of 2", "-",
-                                             "-", "0"}));
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"theirs", "2 of 2", "2 stable", "20 (2 to 200)", "2 to 50",
+                                      "2 (1 to 4)", "-", "0", "0 of 2", "-", "-", "-", "-", "-", "0"}));
   EXPECT_EQ(std::ranges::count(sections_of(evaluation), std::string("plugins"), &Section::id), 1);
 }
 

@@ -31,9 +31,34 @@ TEST(SummarySections, AnswerWhatIsSolvedHowWellAndHowFast) {
     records.push_back(test::good_record(scene, "m", "n=2", errors[i], 1.0));
     records.back().errors.impulse = 2.0 * errors[i];
   }
-  // method, solved, error of x, of impulse, to 1e-1, 1e-2, 1e-3, under another law
-  EXPECT_EQ(summary_of(records, "m"),
-            (Row{"m", "3 of 3", "5.0e-03", "1.0e-02", "3 of 3, 1 ms", "2 of 3, 1 s", "1 of 3", "-"}));
+  for (Record& record : records) record.certificate.stable = record.scene != "s1";
+  // method, solved, stability, error of x, of impulse, to 1e-1, 1e-2, 1e-3, without contact, under another
+  // law
+  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "3 of 3", "2 stable, 1 unstable", "5.0e-03", "1.0e-02",
+                                           "3 of 3, 1 ms", "2 of 3, 1 s", "1 of 3", "-", "-"}));
+}
+
+TEST(SummarySections, CountWhatAMotionWithoutContactSolvesApart) {
+  std::vector<Record> records;
+  for (const char* scene : {"far-away", "s1", "s2"}) {
+    records.push_back(test::good_record(scene, "m", "n=1", 1e-7, 1.0));
+    records.push_back(test::good_record(scene, "lazy", "n=1", 1e-7, 1.0));
+  }
+  for (Record& record : records) {
+    record.physics.contact_ratio = 0.0;
+    record.certificate.events = {{.kind = ContactEvent::Kind::impact}};
+    if (record.scene == "far-away") record.certificate.events.clear();
+    if (record.method == "lazy" && record.scene != "far-away") record.status = Status::not_converged;
+  }
+  const auto lazy = [&] { return summary_of(records, "lazy"); };
+  EXPECT_EQ(lazy()[1], "0 of 2");
+  EXPECT_EQ(lazy()[8], "1 of 1");
+  EXPECT_EQ(summary_of(records, "m")[1], "2 of 2");
+  EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "lazy[n=1]")[1], "0 of 2");
+  // Closed throughout has no event either, and is a motion with contact.
+  for (Record& record : records) record.physics.contact_ratio = 1.0;
+  EXPECT_EQ(lazy()[1], "1 of 3");
+  EXPECT_EQ(lazy()[8], "-");
 }
 
 TEST(SummarySections, TakeAFailureForInfinite) {
@@ -41,8 +66,8 @@ TEST(SummarySections, TakeAFailureForInfinite) {
                               test::good_record("s2", "m", "n=1", 1e-4, 1.0)};
   records[0].errors.impulse = 1e-3;
   records[1].status = Status::timeout;
-  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "1 of 2", "half or more failed", "half or more failed",
-                                           "1 of 2", "1 of 2", "1 of 2", "-"}));
+  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "1 of 2", "1 not determined", "half or more failed",
+                                           "half or more failed", "1 of 2", "1 of 2", "1 of 2", "-", "-"}));
 }
 
 TEST(SummarySections, HoldTheScenesLawAndCountProblemsOnce) {
@@ -63,10 +88,12 @@ TEST(SummarySections, HoldTheScenesLawAndCountProblemsOnce) {
 TEST(SummarySections, SayWhereAMethodRepresentsNoSceneAndWhereNothingWasTimed) {
   std::vector<Record> records{test::good_record("s", "m", "n=1", 1e-4, 1.0)};
   records[0].seconds.reset();
-  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "1 of 1", "1.0e-04", "-", "1 of 1", "1 of 1", "1 of 1", "-"}))
+  EXPECT_EQ(summary_of(records, "m"),
+            (Row{"m", "1 of 1", "1 not determined", "1.0e-04", "-", "1 of 1", "1 of 1", "1 of 1", "-", "-"}))
       << "an old record without an error of the impulse";
   records[0].law_matches_scene = false;
-  EXPECT_EQ(summary_of(records, "m"), (Row{"m", "none of its law", "-", "-", "-", "-", "-", "1 of 1"}));
+  EXPECT_EQ(summary_of(records, "m"),
+            (Row{"m", "none of its law", "-", "-", "-", "-", "-", "-", "-", "1 of 1"}));
 }
 
 TEST(OutcomeSections, CountEveryRunOnceAndEveryClaimInThreeWays) {
@@ -78,9 +105,13 @@ TEST(OutcomeSections, CountEveryRunOnceAndEveryClaimInThreeWays) {
   records[3].status = Status::inaccurate;
   records[4].status = Status::crashed;
   records[5].certificate.status = CertificateStatus::uncertified;
-  // method, runs, not applicable, failed, says converged, certified, unproven, refuted, another orbit
+  records[0].certificate.stable = true;
+  records[2].certificate.stable = false;
+  records[5].certificate.stable = false;  // of an orbit that is near, and certifies nothing
+  // method, runs, not applicable, failed, says converged, certified, stable, unstable, unproven, refuted,
+  // another
   EXPECT_EQ(row_of(outcome_sections(Evaluation(records)).front(), "m"),
-            (Row{"m", "6", "1", "1", "4", "2", "1", "1", "1"}));
+            (Row{"m", "6", "1", "1", "4", "2", "1", "1", "1", "1", "1"}));
 }
 
 TEST(SpeedSections, CompareEachResolutionWithTheBaselineOnTheSameScene) {
@@ -91,12 +122,12 @@ TEST(SpeedSections, CompareEachResolutionWithTheBaselineOnTheSameScene) {
     records.push_back(test::good_record(scene, "m", "n=1", 0.1, 0.5 * seconds));
   }
   EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]"),
-            (Row{"m[n=1]", "3 of 3", "1.0e-01", "-", "5 s", "0.5", "-"}));
+            (Row{"m[n=1]", "3 of 3", "3 not determined", "1.0e-01", "-", "5 s", "0.5", "-"}));
 }
 
 TEST(SpeedSections, MeasureNothingWithoutABaseline) {
   const std::vector<Record> records{test::good_record("s", "m", "n=1", 0.1, 1.0)};
-  EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]")[5], "not measured");
+  EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]")[6], "not measured");
 }
 
 TEST(SpeedSections, CountWhatDoesNotApplyAsUnsolved) {
@@ -116,8 +147,9 @@ TEST(SpeedSections, HoldTheScenesLaw) {
                               test::good_record("t", "m", "n=1", 1e-6, 1e-3)};
   records[0].errors.impulse = 0.25;
   records[1].law_matches_scene = false;
-  EXPECT_EQ(row_of(speed_sections(Evaluation(records)).front(), "m[n=1]"),
-            (Row{"m[n=1]", "1 of 1", "1.0e-01", "2.5e-01", "1 s", "not measured", "1 of 1"}));
+  EXPECT_EQ(
+      row_of(speed_sections(Evaluation(records)).front(), "m[n=1]"),
+      (Row{"m[n=1]", "1 of 1", "1 not determined", "1.0e-01", "2.5e-01", "1 s", "not measured", "1 of 1"}));
 }
 
 }  // namespace
