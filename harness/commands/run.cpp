@@ -99,6 +99,12 @@ void describe_run(RunFolder run, bool resume) {
     require_same_machine(before, run);
     run.plan = joined_plan(before, run);
     join_plugins(run.manifest, before.manifest);
+    // Nothing has been timed yet under the present load.
+    for (const char* key : {"load", "running", "load_end"}) {
+      run.manifest["machine"].erase(key);
+      if (before.manifest.contains("machine") && before.manifest["machine"].contains(key))
+        run.manifest["machine"][key] = before.manifest["machine"][key];
+    }
     note_times(run.manifest, why_not_comparable(before.manifest));
   }
   write_whole(run.path / "manifest.json", json_text(run.manifest, 2) + "\n");
@@ -125,14 +131,12 @@ int run_suite(const RunArguments& arguments) {
   Runner runner(limits_of(arguments, suite));
   if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
-  describe_run({.path = folder,
-                .manifest = manifest_of(arguments, suite, runner.limits(), plan),
-                .plan = planned_cases(plan, runner)},
-               arguments.resume);
+  const nlohmann::ordered_json manifest = manifest_of(arguments, suite, runner.limits(), plan);
+  describe_run({.path = folder, .manifest = manifest, .plan = planned_cases(plan, runner)}, arguments.resume);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
   const SuiteRunResult result = run_missing(arguments, plan, runner, store);
-  close_manifest(folder);
+  if (result.ran > 0) close_manifest(folder, why_not_comparable(manifest));
   if (result.interrupted) {
     fmt::print(stderr,
                "interrupted after {} of {} cases; the same command with --resume --out {} does the rest\n",

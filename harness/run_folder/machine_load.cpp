@@ -99,12 +99,13 @@ void note_times(Json& manifest, const std::string& before) {
   manifest["times_not_comparable"] = why;
 }
 
-void close_manifest(const std::filesystem::path& folder) {
+void close_manifest(const std::filesystem::path& folder, const std::string& start) {
   const std::filesystem::path file = folder / "manifest.json";
   Json manifest = read_manifest(file);
   std::array<double, 3> load{};
   if (getloadavg(load.data(), 3) == 3) manifest["machine"]["load_end"] = load;
-  note_times(manifest, why_not_comparable(manifest));
+  const std::string before = why_not_comparable(manifest);
+  note_times(manifest, before.empty() ? start : before);
   write_whole(file, json_text(manifest, 2) + "\n");
 }
 

@@ -29,8 +29,9 @@ std::optional<double> load_beside(int jobs);
 /// not, `times_not_comparable`. \param before  why those of a run that this one resumes are not; or empty
 void note_times(nlohmann::ordered_json& manifest, const std::string& before = {});
 
-/// Writes the load at the end of a run into the manifest in its folder, and note_times. \throws UsageError
-void close_manifest(const std::filesystem::path& folder);
+/// Writes the load at the end of a run into the manifest in its folder, and note_times. \param start  why
+/// times are not comparable by the manifest with which it began; or empty \throws UsageError
+void close_manifest(const std::filesystem::path& folder, const std::string& start = {});
 
 /// Why times of a run are not comparable, by its manifest, as a clause: the build has none, cases ran at the
 /// same time, or at its start or end, or at those of a shard, load_share was above 1. At the start counted is

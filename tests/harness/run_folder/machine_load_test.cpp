@@ -75,6 +75,8 @@ TEST(Manifest, IsClosedWithTheLoadAtTheEnd) {
   const Json closed = Json::parse(read_file(folder / "manifest.json"));
   EXPECT_EQ(closed["machine"]["load_end"].size(), 3U);
   EXPECT_EQ(closed["times_comparable"], true);
+  close_manifest(folder, "it began under load");
+  EXPECT_EQ(why_not_comparable(Json::parse(read_file(folder / "manifest.json"))), "it began under load");
 }
 
 }  // namespace
