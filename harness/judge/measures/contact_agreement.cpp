@@ -6,9 +6,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <numeric>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -26,6 +25,7 @@ constexpr double kWorstContact = 0.5;        // Distance::x_worst
 constexpr double kOwnForce = 0.15;           // ForceErrors::worst
 constexpr double kForceOfOne = 0.4;          // error of the force of a contact, of its own size
 constexpr double kSharpForce = 0.5;          // force_error_up_to
+constexpr double kOpen = 2.0;                // forcing periods per error of x that forces may be apart
 constexpr double kLeastShown = 1.0 / 256.0;  // forcing periods that forces may be apart in their instants
 constexpr double kRestitution = 0.1;         // of a coefficient of restitution
 constexpr double kStrongPhase = 0.25;        // of the largest impulse of a phase of its contact
@@ -155,11 +155,11 @@ std::string force_difference(const Motion& answer, const Motion& orbit, const To
       return fmt::format("the force of contact {} is off by {:.2g} of its own", c,
                          errors.error[at] / errors.size[at]);
   }
-  const double worst = errors.worst().value_or(0.0);
-  if (worst > kOwnForce)
+  if (const double worst = errors.worst().value_or(0.0); worst > kOwnForce)
     return fmt::format("the contact force, its instants included, is off by {:.2g}", worst);
-  // What the resolution, or an error of x or of the force's instants, leaves open is no difference.
-  const double off = std::max({distance(answer, orbit).x_l2.value_or(0.0), worst, kLeastShown});
+  // What the resolution, or an error of x, leaves open is no difference: a force that makes x wrong by a
+  // share of it is late by a third of as many periods.
+  const double off = std::max(kOpen * distance(answer, orbit).x_l2.value_or(0.0), kLeastShown);
   const double open = std::max(shown_apart(answer, orbit), off * orbit.forcing_period);
   const Measure sharp = force_error_up_to(std::max(1.0, 0.5 * orbit.forcing_period / open), answer, orbit);
   if (sharp && *sharp > kSharpForce)
@@ -167,63 +167,40 @@ std::string force_difference(const Motion& answer, const Motion& orbit, const To
   return {};
 }
 
-/// Mean speeds before and after the strong impacts of a motion, weighted by their impulses [m/s].
-struct ImpactSpeeds {
-  double before = 0.0, after = 0.0;
-};
-
-/// Speeds beside listed impulses are extrapolated from samples of x' `offset` and twice as many steps away.
-ImpactSpeeds impact_speeds(const Motion& motion, int offset) {
-  ImpactSpeeds speeds;
-  double impulse = 0.0;
-  const std::vector<ContactPhase> phases = contact_phases(motion);
-  double largest = 0.0;
-  for (const ContactPhase& phase : phases) largest = std::max(largest, std::abs(phase.impulse));
-  const auto velocity = [&](const ContactPhase& phase, int steps) {
-    const int count = motion.count();
-    const double place = phase.begin / motion.step();
-    const auto at = static_cast<int>(steps < 0 ? std::ceil(place) : std::floor(place)) + steps;
-    return motion.samples.velocity(((at % count) + count) % count, phase.contact);
+/// -x'_+ / x'_- of the strong impacts that a motion lists, their speeds weighted by the impulses and
+/// extrapolated from samples `offset` and twice as many steps away; empty where they do not approach.
+std::optional<double> listed_restitution(const Motion& motion, int offset) {
+  const int count = motion.count();
+  const auto velocity = [&](const Impulse& impulse, int steps) {
+    const double place = impulse.time / motion.step();
+    const int at = static_cast<int>(steps < 0 ? std::ceil(place) : std::floor(place)) + steps;
+    return motion.samples.velocity(((at % count) + count) % count, impulse.contact);
   };
-  for (const ContactPhase& phase : phases) {
-    if (phase.lasting || !phase.speed_before || !phase.speed_after ||
-        std::abs(phase.impulse) < kStrongPhase * largest)
-      continue;
-    const bool told = phase.listed && offset > 0;
-    const double before =
-        told ? 2.0 * velocity(phase, -offset) - velocity(phase, -2 * offset) : *phase.speed_before;
-    const double after =
-        told ? 2.0 * velocity(phase, offset) - velocity(phase, 2 * offset) : *phase.speed_after;
-    speeds.before += std::abs(phase.impulse) * before;
-    speeds.after += std::abs(phase.impulse) * after;
-    impulse += std::abs(phase.impulse);
+  double largest = 0.0, before = 0.0, after = 0.0;
+  for (const Impulse& impulse : motion.impulses) largest = std::max(largest, std::abs(impulse.value));
+  for (const Impulse& impulse : motion.impulses) {
+    const double weight = std::abs(impulse.value);
+    if (weight < kStrongPhase * largest) continue;
+    before += weight * (2.0 * velocity(impulse, -offset) - velocity(impulse, -2 * offset));
+    after += weight * (2.0 * velocity(impulse, offset) - velocity(impulse, 2 * offset));
   }
-  if (impulse > 0.0) speeds = {speeds.before / impulse, speeds.after / impulse};
-  return speeds;
+  return before > 0.0 ? std::optional(-after / before) : std::nullopt;
 }
 
 /// Whether the strong impacts of a motion show another coefficient of restitution than the law has, at every
 /// distance from them at which samples tell the speeds: near by those of few instants do not, far away those
 /// of stiff structures.
 std::string restitution_difference(const Motion& motion, double restitution) {
-  constexpr std::array kOffsets{0, 4, 16, 64};  // steps
-  // Where the speeds are means over two resolutions on either side, x' has changed by so much between them.
-  const double turning = 4.0 * std::numbers::pi * time_resolution(motion) / motion.forcing_period *
-                         motion.samples.velocity.cwiseAbs().maxCoeff();
-  double least = std::numeric_limits<double>::infinity(), found = restitution;
+  constexpr std::array kOffsets{1, 4, 16, 64};  // steps
+  std::optional<double> nearest;
   for (const int offset : kOffsets) {
-    const ImpactSpeeds speeds = impact_speeds(motion, offset);
-    if (!(speeds.before > 0.0)) continue;
-    const double shown = -speeds.after / speeds.before;
-    const double excess = std::abs(shown - restitution) - kRestitution - turning / speeds.before;
-    if (excess >= least) continue;
-    least = excess;
-    found = shown;
+    const std::optional<double> found = listed_restitution(motion, offset);
+    if (found && (!nearest || std::abs(*found - restitution) < std::abs(*nearest - restitution)))
+      nearest = found;
   }
-  return least <= 0.0 || std::isinf(least)
-             ? std::string()
-             : fmt::format("its impacts have a restitution of {:.2g}, where the law has {:.2g}", found,
-                           restitution);
+  if (!nearest || std::abs(*nearest - restitution) <= kRestitution) return {};
+  return fmt::format("its impacts have a restitution of {:.2g}, where the law has {:.2g}", *nearest,
+                     restitution);
 }
 
 }  // namespace

@@ -21,7 +21,14 @@ struct ContactDifference {
 /// it also is above 1 % of the motion's largest. The two agree if
 ///
 /// - no contact touches clearly in one of them and not at all in the other
-/// - J_c differs by a factor of at most 2 at every contact that touches clearly on the orbit
+/// - no contact is off by more than half of its own motion (`Distance::x_worst`)
+/// - the force of no contact that touches clearly on the orbit is off by more than 0.4 of its own, and that
+/// of
+///   none by more than 0.15 of the largest (`ForceErrors`)
+/// - the force is off by at most half in harmonics whose half waves are longer than what counts as one push
+///   below, than 1/256 forcing period, and than twice the error of x in forcing periods (`force_error_up_to`)
+/// - under Newton's law the strong impacts that the answer lists show a coefficient of restitution within 0.1
+/// - a contact that touches clearly pushes throughout in both or in none, breaks that count as one push aside
 /// - at every contact, phases whose impulse is at least 25 % of the largest one's in one motion are no more
 ///   than the phases of at least 5 % in the other, per common period; phases closer than six times the
 ///   coarser of the two resolutions in time, at most 0.15 forcing periods, count as one, since the coarser

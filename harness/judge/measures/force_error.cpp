@@ -18,18 +18,38 @@ constexpr int kForceHarmonics = 512;
 /// Share of the whole force that its varying part is taken to be at least.
 constexpr double kLeastVarying = 0.1;
 
-/// Coefficients of force and impulses, (count+1) x Nc. Pushes too short for samples act at their middle.
+/// Adds the coefficients of an impulse at a time to those of a contact.
+void add_impulse(double time, double impulse, double period, Eigen::Ref<Eigen::VectorXcd> spectrum) {
+  const std::complex<double> turn = std::polar(1.0, -kTwoPi * time / period);
+  std::complex<double> term = impulse / period;
+  for (Eigen::Index n = 0; n < spectrum.size(); ++n, term *= turn) spectrum[n] += term;
+}
+
+/// Coefficients of force and impulses, (count+1) x Nc. Of pushes that are too short for samples these tell
+/// the shape alone, and nothing where they are fewer than sixteen: such a push acts at its middle.
 Eigen::MatrixXcd told_spectrum(const Motion& motion, int count) {
+  constexpr int kShapes = 16;
   Eigen::MatrixXcd spectrum = contact_force_spectrum(motion, count);
+  const double step = motion.step();
   for (int c = 0; c < static_cast<int>(spectrum.cols()); ++c) {
     const std::vector<ListedPush> pushes = short_pushes(motion, c);
     if (pushes.empty()) continue;
     spectrum.col(c).setZero();
     const auto add = [&](double time, double impulse) {
-      for (int n = 0; n <= count; ++n)
-        spectrum(n, c) += impulse / motion.period() * std::polar(1.0, -kTwoPi * n * time / motion.period());
+      add_impulse(time, impulse, motion.period(), spectrum.col(c));
     };
-    for (const ListedPush& push : pushes) add(0.5 * (push.begin + push.end), push.impulse);
+    for (const ListedPush& push : pushes) {
+      const auto first = static_cast<int>(std::ceil(push.begin / step));
+      const auto last = static_cast<int>(std::floor(push.end / step));
+      const auto force = [&](int i) { return motion.samples.force(i % motion.count(), c); };
+      double sampled = 0.0;
+      for (int i = first; i <= last; ++i) sampled += force(i);
+      if (last - first + 1 < kShapes || sampled == 0.0) {
+        add(0.5 * (push.begin + push.end), push.impulse);
+        continue;
+      }
+      for (int i = first; i <= last; ++i) add(i * step, push.impulse * force(i) / sampled);
+    }
     for (const Impulse& impulse : motion.impulses) {
       if (impulse.contact == c) add(impulse.time, impulse.value);
     }
@@ -66,10 +86,11 @@ struct ForceSpectra {
   Eigen::ArrayXXd apart, exact;
 };
 
-bool pushes_throughout(const Motion& motion, Eigen::Index contact) {
-  const auto force = motion.samples.force.col(contact).array();
+/// Share of the period during which samples of the force push.
+double pushing_share(const Motion& motion, Eigen::Index contact) {
   constexpr double kRoundOffOfForce = 1e-9;
-  return motion.impulses.empty() && force.maxCoeff() < -kRoundOffOfForce * force.abs().maxCoeff();
+  const auto force = motion.samples.force.col(contact).array();
+  return (force < -kRoundOffOfForce * force.abs().maxCoeff()).cast<double>().mean();
 }
 
 }  // namespace
@@ -86,11 +107,9 @@ ForceErrors force_errors(const Motion& answer, const Motion& orbit) {
   const auto smooth = [](double s) { return 1.0 / (1.0 + s * s); };
   const Eigen::ArrayXd apart = spectra.sum(spectra.apart, smooth), whole = spectra.sum(spectra.exact, smooth);
   for (Eigen::Index c = 0; c < apart.size(); ++c) {
-    const double varying = pushes_throughout(orbit, c) ? std::max(whole[c] - spectra.exact(0, c),
-                                                                  kLeastVarying * kLeastVarying * whole[c])
-                                                       : whole[c];
+    const double varying = whole[c] - pushing_share(orbit, c) * spectra.exact(0, c);
     errors.error.push_back(std::sqrt(apart[c]));
-    errors.size.push_back(std::sqrt(varying));
+    errors.size.push_back(std::sqrt(std::max(varying, kLeastVarying * kLeastVarying * whole[c])));
   }
   return errors;
 }

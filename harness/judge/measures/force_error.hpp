@@ -19,8 +19,8 @@ namespace signorini {
 /// spread symmetrically costs the square of its width alone. Harmonics go up to 512 of the load, and of an
 /// answer that resolves fewer (`resolved_harmonics`) to those.
 ///
-/// Of a contact that pushes throughout, the mean of whose force is statics, the size is that of what varies,
-/// but at least a tenth of the whole.
+/// The longer a contact pushes, the more its mean force is statics: of the square of its size that of the
+/// mean counts for the share of the period without a push. The size is at least a tenth of the whole.
 struct ForceErrors {
   std::vector<double> error = {};  ///< Nc [N]
   std::vector<double> size = {};   ///< Nc [N]

@@ -33,7 +33,9 @@ Motion smooth(double begin, double end, double force, int bandwidth) {
 }
 
 ContactDifference compared(const Motion& answer, const Motion& orbit) {
-  return contact_difference(test::one_mass(), answer, orbit);
+  Problem problem = test::one_mass();
+  problem.law = Massless{};  // these impulses go with no jumps of x'
+  return contact_difference(problem, answer, orbit);
 }
 
 TEST(ContactDifference, IsNoneOfEqualContacts) {
@@ -116,10 +118,10 @@ TEST(ContactDifference, AsksForNoImpactsThatTheAnswerCannotShow) {
 }
 
 TEST(ContactDifference, AsksForImpactsAtTheirTimes) {
-  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.21, 1.0}})).text, "");
+  EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.2004, 1.0}})).text, "");
   EXPECT_EQ(compared(motion({{0.2, 1.0}}), motion({{0.3, 1.0}})).text,
             "contact 0 pushes at other times than on the orbit");
-  EXPECT_EQ(compared(motion({{0.995, 1.0}}), motion({{0.005, 1.0}})).text, "")
+  EXPECT_EQ(compared(motion({{0.9998, 1.0}}), motion({{0.0002, 1.0}})).text, "")
       << "across the end of the period";
   // Once in each of two forcing periods, the second time a quarter of a period late.
   EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.1, 1.0}, {0.725, 1.0}}, 2)).text, "");

@@ -47,6 +47,19 @@ TEST(MeasurePhysics, MeasuresAContactAtRestByTheContactFreeMotion) {
   EXPECT_NEAR(physics.penetration.value(), 1e-9 / scale, 1e-5 * 1e-9 / scale);
 }
 
+TEST(MeasurePhysics, MeasuresALooseMassAtRestByItsLoad) {
+  Problem loose = test::one_mass(0.0, 0.5);
+  loose.edit_structure([](Structure& s) { s.stiffness.coeffRef(0, 0) = s.damping.coeffRef(0, 0) = 0.0; });
+  loose.force.push_back({.dof = 0, .harmonic = 0, .cos = 6.0});  // presses, whatever cos 2 t does
+  const Motion rest = sampled(FormulaMotion(
+      kPeriod, [](double) { return 1e-17; }, [](double) { return 0.0; },
+      [](double t) { return -6.0 - std::cos(2.0 * t); }));
+  const Physics physics = measure_physics(loose, Restitution{0.5}, rest);
+  const double scale = 0.1 * 0.25 / std::numbers::sqrt2;  // of 1/4 cos 2 t, its motion without the stop
+  EXPECT_NEAR(physics.penetration.value(), 1e-17 / scale, 1e-3 * 1e-17 / scale);
+  EXPECT_LT(physics.complementarity.value(), 1e-14);
+}
+
 TEST(MeasurePhysics, IsEmptyWithoutContacts) {
   Problem problem = test::one_mass();
   problem.contacts.clear();
