@@ -97,8 +97,9 @@ Table family_table(const Evaluation& evaluation, const Families& families, const
 }
 
 Section breakdown_section(const Evaluation& evaluation, const Families& families, double error) {
-  Section section{.id = fmt::format("breakdown-{:.0e}", error),
-                  .title = fmt::format("Severest level solved with errors of x and force within {:.0e}", error)};
+  Section section{
+      .id = fmt::format("breakdown-{:.0e}", error),
+      .title = fmt::format("Severest level solved with errors of x and force within {:.0e}", error)};
   section.text =
       "Each family is driven from easy to impossible. A cell names the last of the levels whose law the "
       "method "
