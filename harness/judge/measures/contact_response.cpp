@@ -5,6 +5,7 @@
 #include <complex>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "methods/solvers/constants.hpp"
@@ -188,7 +189,8 @@ std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int c
                                     .base_frequency = problem.base_frequency(),
                                     .lambda = Eigen::MatrixXcd::Zero(harmonics, problem.contact_count())},
                                    space);
-    return response.free_displacement(count);
+    Eigen::MatrixXd free = response.free_displacement(count);
+    return free.allFinite() ? std::optional(std::move(free)) : std::nullopt;
   } catch (const SingularStiffness&) {
     return std::nullopt;
   }

@@ -116,7 +116,7 @@ double length_scale(const Problem& problem, const Motion& motion, const Eigen::V
   // An answer may have no response where the load alone has one: its harmonics are more.
   const std::optional<Eigen::MatrixXd> free =
       response ? response->free_displacement(kInstants) : contact_free_motion(problem, kInstants, space);
-  if (!free) return std::max(moving, least_size(problem, space));
+  if (!free || !free->allFinite()) return std::max(moving, least_size(problem, space));
   return std::max(moving, kLeast * (free->rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
 }
 

@@ -60,6 +60,34 @@ TEST(MeasurePhysics, MeasuresALooseMassAtRestByItsLoad) {
   EXPECT_LT(physics.complementarity.value(), 1e-14);
 }
 
+// A sprung mass and one that lies on it: no coordinate holds the latter but the contact.
+TEST(MeasurePhysics, MeasuresAMassThatLiesOnAnotherByTheMotionOfThese) {
+  Problem pair = test::one_mass(0.0, 0.5);
+  const auto matrix = [](double a, double b) {
+    SparseMatrix m(2, 2);
+    m.insert(0, 0) = a;
+    if (b != 0.0) m.insert(1, 1) = b;
+    m.makeCompressed();
+    return m;
+  };
+  pair.edit_structure([&](Structure& s) {
+    s.mass = matrix(1.0, 0.5);
+    s.damping = matrix(0.8, 0.0);
+    s.stiffness = matrix(400.0, 0.0);
+  });
+  pair.force = {{.dof = 0, .harmonic = 0, .cos = -9.81},
+                {.dof = 1, .harmonic = 0, .cos = -4.905},
+                {.dof = 0, .cos = 2.0}};
+  pair.contacts = {{.normal = {{0, 1.0}, {1, -1.0}}, .gap = 0.0}};
+  const Motion rest = sample_motion(pair, FormulaMotion(
+                                              kPeriod, [](double) { return -1e-16; },
+                                              [](double) { return 0.0; }, [](double) { return -4.9; }));
+  const Physics physics = measure_physics(pair, Restitution{0.5}, rest);
+  // The sprung mass alone swings by 2 / |400 - 4 + 1.6 i|.
+  const double scale = 0.1 * 2.0 / std::hypot(396.0, 1.6) / std::numbers::sqrt2;
+  EXPECT_NEAR(physics.complementarity.value(), 1e-16 / scale, 0.01 * 1e-16 / scale);
+}
+
 TEST(MeasurePhysics, IsEmptyWithoutContacts) {
   Problem problem = test::one_mass();
   problem.contacts.clear();
