@@ -188,7 +188,7 @@ std::vector<Lie> lies_about_the_force(const Truth& truth) {
   }
   lies.push_back({"split", with_bandwidth(with_parts(truth, 0.1, 0.9, 0.14), 1)});
   lies.push_back({"halves", with_parts(truth, 0.5, 0.5, 0.1)});
-  lies.push_back({"again", with_parts(truth, 1.0, 0.24, 0.5)});
+  for (const double share : {0.1, 0.24}) lies.push_back({"again", with_parts(truth, 1.0, share, 0.5)});
   lies.push_back({"again, one harmonic", with_bandwidth(with_parts(truth, 1.0, 0.24, 0.5), 1)});
   lies.push_back({"mean", with_mean_force(truth)});
   const auto* law = std::get_if<Restitution>(&truth.problem.law);

@@ -22,7 +22,9 @@ constexpr double kTouching = 1e-6;           // of the unit of impulse
 constexpr double kHitting = 1e-3;            // of the unit of impulse
 constexpr double kClear = 1e-2;              // of the largest impulse of a contact
 constexpr double kWorstContact = 0.5;        // Distance::x_worst
-constexpr double kOwnForce = 0.15;           // ForceErrors::worst
+constexpr double kOwnForce = 0.06;           // ForceErrors::worst of an exact x
+constexpr double kForcePerMotion = 4.0;      // more of it per error of x
+constexpr double kMostForce = 0.15;          // of it in all
 constexpr double kForceOfOne = 0.4;          // error of the force of a contact, of its own size
 constexpr double kSharpForce = 0.5;          // force_error_up_to
 constexpr double kOpen = 2.0;                // forcing periods per error of x that forces may be apart
@@ -155,11 +157,13 @@ std::string force_difference(const Motion& answer, const Motion& orbit, const To
       return fmt::format("the force of contact {} is off by {:.2g} of its own", c,
                          errors.error[at] / errors.size[at]);
   }
-  if (const double worst = errors.worst().value_or(0.0); worst > kOwnForce)
+  const double moved = distance(answer, orbit).x_l2.value_or(0.0);
+  const double worst = errors.worst().value_or(0.0);
+  if (worst > std::min(kMostForce, kOwnForce + kForcePerMotion * moved))
     return fmt::format("the contact force, its instants included, is off by {:.2g}", worst);
   // What the resolution, or an error of x, leaves open is no difference: a force that makes x wrong by a
   // share of it is late by a third of as many periods.
-  const double off = std::max(kOpen * distance(answer, orbit).x_l2.value_or(0.0), kLeastShown);
+  const double off = std::max(kOpen * moved, kLeastShown);
   const double open = std::max(shown_apart(answer, orbit), off * orbit.forcing_period);
   const Measure sharp = force_error_up_to(std::max(1.0, 0.5 * orbit.forcing_period / open), answer, orbit);
   if (sharp && *sharp > kSharpForce)

@@ -22,9 +22,9 @@ struct ContactDifference {
 ///
 /// - no contact touches clearly in one of them and not at all in the other
 /// - no contact is off by more than half of its own motion (`Distance::x_worst`)
-/// - the force of no contact that touches clearly on the orbit is off by more than 0.4 of its own, and that
-/// of
-///   none by more than 0.15 of the largest (`ForceErrors`)
+/// - the force of no contact that touches clearly on the orbit is off by more than 0.4 of its own
+/// - that of none is off by more than 0.06 of the largest and four times the error of x, at most 0.15
+///   (`ForceErrors`)
 /// - the force is off by at most half in harmonics whose half waves are longer than what counts as one push
 ///   below, than 1/256 forcing period, and than twice the error of x in forcing periods (`force_error_up_to`)
 /// - under Newton's law the strong impacts that the answer lists show a coefficient of restitution within 0.1
