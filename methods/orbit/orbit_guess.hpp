@@ -27,7 +27,8 @@ inline constexpr std::size_t kMostEvents = 400;
 /// The motion is one of all contacts of the scene, of which those are read that act in the model.
 ///
 /// The section lies in the middle of the longest time without a force, or of the longest between two events.
-/// Empty if the structure has no unique periodic response or the motion is not of the model's period.
+/// Where motions of the structure return by themselves, as of parts that no spring holds, the response is the
+/// one next to the motion's displacements. Empty if the motion is not of the model's period.
 /// \throws std::runtime_error if a flow cannot be formed, or the time is up
 std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& motion,
                                       const Expired& expired = {});

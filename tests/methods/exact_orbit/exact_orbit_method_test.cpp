@@ -6,12 +6,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include "methods/catalogue.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 
 namespace signorini::exact_orbit_method_test {
 namespace {
@@ -115,6 +117,69 @@ TEST(ExactOrbitMethod, SaysWhatStoppedEachAttempt) {
   EXPECT_EQ(solution.verdict, Verdict::not_converged);
   for (const char* attempt : {"no exact orbit: ", "N = 64: ", "N = 64, cover 1: ", "N = 256: "})
     EXPECT_NE(solution.message.find(attempt), std::string::npos) << solution.message;
+}
+
+// Parts that no spring holds: an independent flow, and closed forms of impulse and multipliers.
+TEST(ExactOrbitMethod, SolvesAGearInItsBacklash) {
+  const Solution solution = test::solve<ExactOrbitMethod>(test::gear_backlash(), {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Eigen::VectorXd x = solution.trajectory->sample(8192).x.col(0);
+  // From rest, each stretch in closed form, 130 periods on.
+  EXPECT_NEAR(x.minCoeff(), 0.8392488693109, 1e-8);
+  EXPECT_NEAR(x.maxCoeff(), 1.2975814540848, 1e-8);
+  EXPECT_NE(solution.message.find("largest multiplier 0.705347"), std::string::npos) << solution.message;
+}
+
+TEST(ExactOrbitMethod, BalancesTheWeightOfABallByItsImpulses) {
+  const Solution solution = test::solve<ExactOrbitMethod>(test::bouncing_ball(), {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Samples motion = solution.trajectory->sample(65536);
+  double impulse = motion.force.col(0).mean() * solution.trajectory->period();  // while it lies
+  for (const Impulse& one : solution.trajectory->impulses()) impulse += one.value;
+  EXPECT_NEAR(impulse, -test::kBallImpulse, 1e-4);
+}
+
+// A mass that floats between the ends of a box that moves, 0.022 m to each: e = 0.7, two impacts per period.
+TEST(ExactOrbitMethod, FindsTheImpactsOfALooseMassInABox) {
+  Problem pair = test::loose_mass(0.01, 0.0);
+  pair.frequency = 4.0 * std::numbers::pi;
+  pair.force = {{.dof = 0, .cos = 0.01 * 0.02, .omega_power = 2}};
+  pair.contacts = {{.normal = {{0, 1.0}}, .gap = 0.022}, {.normal = {{0, -1.0}}, .gap = 0.022}};
+  pair.law = Restitution{0.7};
+  const Solution solution = test::solve<ExactOrbitMethod>(pair, {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  ASSERT_EQ(solution.trajectory->impulses().size(), 2U);
+  for (const Impulse& impulse : solution.trajectory->impulses())
+    EXPECT_NEAR(impulse.value, -0.00707761, 1e-8);
+}
+
+TEST(ExactOrbitMethod, DoesNotMindAMassBesideTheProblem) {
+  const test::ImpactOscillator oscillator{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
+  Problem problem = test::to_problem(oscillator);
+  problem.edit_structure([](Structure& s) {
+    for (SparseMatrix* matrix : {&s.mass, &s.damping, &s.stiffness}) {
+      const double own = matrix->coeff(0, 0);
+      *matrix = SparseMatrix(2, 2);
+      matrix->insert(0, 0) = own;
+    }
+    s.mass.insert(1, 1) = 1.0;
+    s.damping.insert(1, 1) = 0.2;
+  });
+  const Solution solution = test::solve<ExactOrbitMethod>(problem, {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const auto exact = test::single_impact_orbits(oscillator).front();
+  EXPECT_LT(test::relative_error(*solution.trajectory, [&](double t) { return exact.x(t); }), 1e-10);
+}
+
+TEST(ExactOrbitMethod, SaysThatAnUnbalancedLoadHasNoPeriodicMotion) {
+  Problem ball = test::bouncing_ball();
+  ball.force.front().cos = -9.81;
+  try {
+    const Solution solution = test::solve<ExactOrbitMethod>(ball, {});
+    FAIL() << solution.message;
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("no periodic motion"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

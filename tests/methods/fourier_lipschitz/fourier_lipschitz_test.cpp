@@ -10,6 +10,7 @@
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 
 namespace signorini::fourier_lipschitz_test {
 namespace {
@@ -246,6 +247,16 @@ TEST(FourierLipschitz, RefusesSamplesThatDoNotCarryTheHarmonicsItChooses) {
   EXPECT_TRUE(FourierLipschitz({}).supports(problem).ok);
   EXPECT_EQ(FourierLipschitz({{.samples = 64}}).supports(problem).reason,
             "the load reaches harmonic 50 of the motion's base frequency: samples = 64 are too few");
+}
+
+TEST(FourierLipschitz, SolvesAGearInItsBacklashAsAnIndependentFlowDoes) {
+  const Solution solution = solve<FourierLipschitz>(test::gear_backlash(), {{.harmonics = 20}});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Samples motion = solution.trajectory->sample(4096);
+  EXPECT_NEAR(motion.x.col(0).minCoeff(), 0.83924924, 1e-5);
+  EXPECT_NEAR(motion.x.col(0).maxCoeff(), 1.29758104, 1e-5);
+  const Eigen::MatrixXcd lambda = data_of(solution).lambda;
+  EXPECT_NEAR(0.1 + lambda(0, 0).real() - lambda(0, 1).real(), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 #include "tests/support/massless_scenes.hpp"
 #include "tests/support/population.hpp"
 
@@ -292,6 +293,32 @@ TEST(HatLcp, TakesTheNodesThatItsLoadNeedsWithinReason) {
   EXPECT_EQ(
       HatLcp({}).supports(problem).reason,
       "the load reaches harmonic 10000 of the motion's base frequency: samples = 4096 cannot resolve it");
+}
+
+// No spring holds the mass: its mean is an unknown, the balance of the mean load a row.
+TEST(HatLcp, SolvesAGearInItsBacklashAsAnIndependentFlowDoes) {
+  const Solution solution = solve<HatLcp>(test::gear_backlash(), {.samples = 512});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const Eigen::VectorXd x = solution.trajectory->sample(512).x.col(0);
+  EXPECT_NEAR(x.minCoeff(), 0.83924924, 2e-5);
+  EXPECT_NEAR(x.maxCoeff(), 1.29758104, 2e-5);
+}
+
+TEST(HatLcp, BalancesTheWeightOfABallByItsImpulses) {
+  const Solution solution = solve<HatLcp>(test::bouncing_ball(), {.samples = 256});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const double mean = solution.trajectory->sample(256).force.col(0).mean();
+  EXPECT_NEAR(mean * solution.trajectory->period(), -test::kBallImpulse, 1e-8);
+}
+
+TEST(HatLcp, SaysThatAMotionWithoutContactIsOneOfAFamily) {
+  Problem floating = test::loose_mass(1.0, 0.1);
+  floating.force = {{.dof = 0, .cos = 1e-3}};
+  floating.contacts = {{.normal = {{0, 1.0}}, .gap = 1.0}};
+  floating.law = Restitution{0.5};
+  const Solution solution = solve<HatLcp>(floating, {.samples = 64});
+  EXPECT_EQ(solution.verdict, Verdict::converged);
+  EXPECT_NE(solution.message.find("one of a family"), std::string::npos) << solution.message;
 }
 
 }  // namespace

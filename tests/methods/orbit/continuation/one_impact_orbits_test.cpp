@@ -11,6 +11,7 @@
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 
 namespace signorini::one_impact_orbits_test {
 namespace {
@@ -163,6 +164,22 @@ TEST(OneImpactOrbits, LeadToNonsmoothModes) {
   ASSERT_EQ(turns.size(), 2U);
   EXPECT_NEAR(turns[0], 0.6230095765, kLocated);
   EXPECT_NEAR(turns[1], 0.8714629669, kLocated);
+}
+
+// One bounce per period of a ball on a table, A = 0.05 m: with s = pi (1 - e) / (1 + e) its phase is asin of
+// s g / (A w^2), so that it is born at A w^2 = s g and doubles where (A w^2)^2 = g^2 (s^2 + (2 (1 + e^2) / (1
+// + e)^2)^2)
+//.
+TEST(OneImpactOrbits, OfABallAreBornAndDoubleWhereTheClosedFormSays) {
+  constexpr double kGravity = 9.81, kAmplitude = 0.05, e = 0.8;
+  const double s = std::numbers::pi * (1.0 - e) / (1.0 + e);
+  const double birth = std::sqrt(s * kGravity / kAmplitude);
+  const double doubling =
+      std::sqrt(kGravity / kAmplitude * std::hypot(s, 2.0 * (1.0 + e * e) / ((1.0 + e) * (1.0 + e))));
+  OrbitFamily family(over_frequency(test::bouncing_ball(), 8.0, 15.0));
+  const OrbitDiagram diagram = trace_diagram(family, one_impact_orbits(family, 14.0, 0, 1), {.max_order = 1});
+  EXPECT_NEAR(nearest(diagram, SpecialKind::fold, birth), birth, kLocated);
+  EXPECT_NEAR(nearest(diagram, SpecialKind::period_doubling, doubling), doubling, kLocated);
 }
 
 }  // namespace
