@@ -202,7 +202,7 @@ TEST(ImpactOrders, OfThreeAreThoseOfTheContactsThatFeelEachOther) {
 // What became of the scenes.
 struct Tally {
   int defined = 0, unstable_by_order = 0, undefined_by_order = 0, by_mass = 0;
-  int compared = 0, other_spectra = 0, no_orbit = 0;
+  int compared = 0, no_orbit = 0;
 };
 
 bool impacts_alone(const ExactTrajectory& orbit) {
@@ -239,7 +239,6 @@ void compare(const SymmetricScene& scene, Tally& tally) {
   for (const ImpactOrder& order : orbit.orders) {
     std::vector<int> met;
     for (const auto& instant : order.contacts) met.insert(met.end(), instant.begin(), instant.end());
-    if (std::abs(order.largest - orbit.orders.front().largest) > 1e-6) ++tally.other_spectra;
     const auto P = difference(flow, *orbit.trajectory, met);
     if (!P) continue;
     ++tally.compared;
@@ -290,10 +289,7 @@ SymmetricScene drawn(int index, std::mt19937& random) {
     default:
       scene = {"chain, by dampers", mirrored_chain(e, frequency, damper), mirrored};
   }
-  // Unequal masses near the grazing at 2.448, where multipliers are real and large.
-  const bool unequal = index % 8 == 2;
-  if (unequal) scene.problem.frequency = between(2.2, 2.35);
-  for (Contact& contact : scene.problem.contacts) contact.gap = unequal ? 0.2 : 0.1;
+  for (Contact& contact : scene.problem.contacts) contact.gap = 0.1;
   scene.name += " " + std::to_string(index);
   return scene;
 }
@@ -307,15 +303,14 @@ TEST(ImpactOrders, AgreeWithDifferencesOfAnIndependentFlow) {
   const std::string text = fmt::format(
       "seed {}, {} scenes: {} with multipliers, {} unstable in an order, {} undefined by order, {} by mass, "
       "{} "
-      "without such an orbit; {} parts compared, {} orders with other multipliers than the first",
+      "without such an orbit; {} parts compared",
       kSeed, kScenes, tally.defined, tally.unstable_by_order, tally.undefined_by_order, tally.by_mass,
-      tally.no_orbit, tally.compared, tally.other_spectra);
+      tally.no_orbit, tally.compared);
   RecordProperty("tally", text);
   EXPECT_LE(tally.no_orbit, 10) << text;
   EXPECT_GE(tally.compared, 30) << text;
   EXPECT_GE(tally.unstable_by_order, 3) << text;
   EXPECT_GE(tally.undefined_by_order, 3) << text;
-  EXPECT_GE(tally.other_spectra, 1) << text;
 }
 
 }  // namespace
