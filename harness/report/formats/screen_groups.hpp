@@ -33,8 +33,7 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 inline constexpr std::string_view kVerdictRule =
     "* has an error of at most 1 % on most scenes of its group and, of several, the least median time to it, "
     "or one within 10 % of that; or misses one scene more and is faster. Time to an error of x and force, "
-    "and "
-    "on how many scenes; - where half or more fail; on how many of those to 10 % the motion is unstable:";
+    "and on how many scenes; - where half or more fail; on how many of those to 10 % the motion is unstable:";
 
 /// The titles of kGroupErrors.
 inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %", "1 %", "0.1 %", "1e-6"};
