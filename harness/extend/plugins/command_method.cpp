@@ -72,7 +72,7 @@ constexpr double kLeastShare = 0.01;
 /// A told time, but of the time that passed at least what a hand-over does not explain: so many seconds, and
 /// so many times what writing the request and reading the answer took here.
 double believed(double told, double passed, double hand_over) {
-  constexpr double kSeconds = 0.02, kTimes = 10.0;
+  constexpr double kSeconds = 0.05, kTimes = 10.0;
   return std::max(told, passed - kSeconds - kTimes * hand_over);
 }
 
