@@ -145,8 +145,8 @@ double next_step(double length, int iterations, double turn, double largest) {
 }
 
 double longest_step(double usual, double size) {
-  constexpr double kFew = 4.0;
-  return usual * std::max(1.0, size / kFew);
+  constexpr double kFew = 10.0, kShare = 0.4;  // units; of what is beyond
+  return usual * (1.0 + kShare * std::max(0.0, size - kFew));
 }
 
 namespace {
