@@ -169,9 +169,7 @@ struct CurveLimits {
   std::function<bool()> stopped = {};  ///< true ends it at once, with what there is
 
   /// Whether it is over; methods ask between steps.
-  [[nodiscard]] bool expired() const {
-    return (stopped && stopped()) || deadline.passed();
-  }
+  [[nodiscard]] bool expired() const { return (stopped && stopped()) || deadline.passed(); }
 };
 
 /// A method that follows the solutions of its own equations by arc length: `Method::curve` returns it.

@@ -149,16 +149,16 @@ std::vector<CandidateUnit> cold_starts(const Problem& problem, int order,
 /// Hat functions on two coarse grids along waved covering vectors (HatSettings::cover_amplitude), which lead
 /// a pivoting method to different solutions. A solve ends after two seconds.
 CandidateUnit coarse_grids(const Problem& problem, int order) {
-  return {
-      "coarse grids", [&problem, order](const CandidateUnit::Deliver& deliver, Deadline deadline) {
-        const Problem at = with_subharmonic(problem, order);
-        for (const int per_period : {48, 112}) {
-          for (int turn = 0; turn < 6; ++turn) {
-            if (deadline.passed()) return;
-            deliver(grid_candidate(at, per_period, turn, Deadline::first_of(deadline, Deadline::after(kGridSeconds))));
-          }
-        }
-      }};
+  return {"coarse grids", [&problem, order](const CandidateUnit::Deliver& deliver, Deadline deadline) {
+            const Problem at = with_subharmonic(problem, order);
+            for (const int per_period : {48, 112}) {
+              for (int turn = 0; turn < 6; ++turn) {
+                if (deadline.passed()) return;
+                deliver(grid_candidate(at, per_period, turn,
+                                       Deadline::first_of(deadline, Deadline::after(kGridSeconds))));
+              }
+            }
+          }};
 }
 
 constexpr int kLongestTransient = 20;  // [forcing periods]

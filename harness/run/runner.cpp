@@ -25,8 +25,8 @@ double answer_seconds(const Limits& limits, std::span<const Job> jobs) {
   return task ? jobs.front().task->seconds() : enforced(limits.timeout);
 }
 
-/// Processor time of each stage: the first solve, a round of timing, the measures, the certificate; then the end
-/// of the process. On a large structure the measures cost what the set-up did: both find receptances.
+/// Processor time of each stage: the first solve, a round of timing, the measures, the certificate; then the
+/// end of the process. On a large structure the measures cost what the set-up did: both find receptances.
 IsolationLimits first_round_limits(const Limits& limits, double solve) {
   return {.stage_seconds = {solve, solve + kQuickSeconds, solve + kQuickSeconds,
                             enforced(limits.certificate_timeout) + kQuickSeconds, kQuickSeconds},

@@ -140,8 +140,7 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
     const Problem problem = scene.at(value);
     if (highest_load_harmonic(problem) == 0) break;
     for (const FoundOrbit& one :
-         find_all_orbits(problem, {.starts = kStarts, .subharmonics = max_order, .timeout = left})
-             .orbits)
+         find_all_orbits(problem, {.starts = kStarts, .subharmonics = max_order, .timeout = left}).orbits)
       found.push_back({value, one.certified.motion});
   }
   return found;

@@ -121,15 +121,24 @@ class OrbitFinder::Search {
   std::optional<FlowState> last_;  // section state of the last equations solved
 };
 
-OrbitFinder::OrbitFinder(const Problem& problem)
-    : model_(std::make_shared<OrbitModel>(with_idle_parts_held(problem).value_or(problem))) {}
+OrbitFinder::OrbitFinder(const Problem& problem) {
+  const std::optional<Problem> held = with_idle_parts_held(problem);
+  idle_parts_held_ = held.has_value();
+  model_ = std::make_shared<OrbitModel>(held.value_or(problem));
+}
 
 OrbitFinder::OrbitFinder(const Problem& problem, CondensedStructure condensed,
                          std::shared_ptr<SharedModes> shared)
     : model_(std::make_shared<OrbitModel>(problem, std::move(condensed), std::move(shared))) {}
 
 OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& options) {
-  return Search(model_, options).run(guess);
+  OrbitSearch result = Search(model_, options).run(guess);
+  if (idle_parts_held_ && result.orbit.certified()) {
+    result.orbit.multipliers.resize(0);
+    result.orbit.orders.clear();
+    result.orbit.undefined = "a free part that no contact meets may be anywhere";
+  }
+  return result;
 }
 
 OrbitSearch OrbitFinder::find(const Trajectory& trajectory, const SearchOptions& options) {

@@ -129,8 +129,9 @@ struct SearchOptions {
   std::function<bool()> expired = [] { return false; };  ///< true ends the search
 };
 
-/// Exact orbits of one scene of period Problem::period(), idle parts of it held (with_idle_parts_held). Not
-/// thread-safe: flows are made when first needed.
+/// Exact orbits of one scene of period Problem::period(). Idle parts of it are held (with_idle_parts_held),
+/// and orbits have no multipliers then: a free part that nothing holds is nowhere at home. Not thread-safe:
+/// flows are made when first needed.
 class OrbitFinder {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
@@ -154,6 +155,7 @@ class OrbitFinder {
  private:
   class Search;
   std::shared_ptr<OrbitModel> model_;
+  bool idle_parts_held_ = false;
 };
 
 }  // namespace signorini

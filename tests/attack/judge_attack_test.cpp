@@ -20,6 +20,7 @@
 #include "harness/judge/measures/contact_response.hpp"
 #include "harness/judge/measures/measures.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/refinement.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini::judge_attack_test {

@@ -76,7 +76,9 @@ TEST_F(RunResponses, MeasuresReportsAndResumes) {
   const Outcome first = run("--out " + out);
   ASSERT_EQ(first.code, 0) << first.err << first.out;
   EXPECT_NE(first.out.find("8 cases run, 0 already there"), std::string::npos) << first.out;
-  EXPECT_NE(first.out.find("\nRigid stop (e = 1), 1 response: too few scenes to recommend\n"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("\nRigid stop (e = 1), 1 response: too few scenes to recommend\n"),
+            std::string::npos)
+      << first.out;
   const std::string table = read_file(at("out") / "table.md");
   EXPECT_NE(table.find("e = 1"), std::string::npos) << "the law of harmonic balance on sdof-stop-e08";
   const std::string records = read_file(at("out") / "records.jsonl");

@@ -28,7 +28,8 @@ TEST(CommandShow, ShowsScenesAndMethods) {
             "                  0.159155 Hz\n"
             "damping ratios    0.05\n"
             "to sweep          mode 1: 0.8 to 2 rad/s (0.1273 to 0.3183 Hz)\n"
-            "forcing           omega 2.2 rad/s (0.3501 Hz), 1 term; motion of period 2.85599 s\n"
+            "forcing           omega 2.2 rad/s (0.3501 Hz), 1 term; motion of period 2.85599\n"
+            "                  s\n"
             "contact 0         u[0] <= 0.2 m\n"
             "law               rigid stops, e = 0.8\n");
   const std::string method = run("show fourier-lipschitz").out;

@@ -102,12 +102,15 @@ TEST(RigidEvents, ImpactsOfOneInstantAreOneEventEachUnlessTheMassCouplesThem) {
     Problem problem = test::stopped_chain(2, 0.8, 2);
     problem.edit_structure([coupling](Structure& structure) {
       structure.mass = Eigen::Matrix2d{{1.0, coupling}, {coupling, 1.0}}.sparseView();
+      structure.damping = SparseMatrix(2, 2);  // a damper between them would make their order matter, too
     });
     const ContactDynamics dynamics(problem);
     FlowState flow{.time = 0.0,
                    .state = {.u = dynamics.structure().gaps, .v = Eigen::Vector2d(1.0, 2.0)},
                    .closed = {false, false}};
-    FlowRecord record{.tangent = true, .derivative = Eigen::MatrixXd::Identity(4, 4)};
+    FlowRecord record;
+    record.tangent = true;
+    record.derivative = Eigen::MatrixXd::Identity(4, 4);
     RigidEvents(dynamics, 1e-9).resolve(flow, 1, record);
     EXPECT_EQ(record.events.size(), 2U);
     EXPECT_EQ(record.order_matters, coupling != 0.0);

@@ -93,8 +93,12 @@ TEST(ListedSequence, RefusesContradictions) {
 }
 
 TEST(ListedSequence, JoinsTheEventsOfOneInstant) {
-  // A resting contact passes an impulse on that another one takes.
-  OrbitModel model(test::stopped_chain(3, 0.5, 2, 0.3));
+  // A resting contact passes an impulse on that another one takes: the mass couples them.
+  Problem chain = test::stopped_chain(3, 0.5, 2, 0.3);
+  chain.edit_structure([](Structure& structure) {
+    structure.mass = Eigen::Matrix3d{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.3}, {0.0, 0.3, 1.0}}.sparseView();
+  });
+  OrbitModel model(chain);
   const auto guess = listed_sequence(model,
                                      {{.kind = Kind::close, .contact = 0, .time = 1.0, .impulse = -1.0},
                                       {.kind = Kind::impact, .contact = 0, .time = 2.0, .impulse = -0.1},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "harness/report/evaluation/scene_groups.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/responses/sample_responses.hpp"
 
