@@ -13,14 +13,14 @@ namespace signorini {
 /// sleeps or waits. A deadline does not hold in another process: the clock of a child begins anew.
 class Deadline {
  public:
-  using clock = std::chrono::steady_clock;  ///< of wall time
+  using Clock = std::chrono::steady_clock;  ///< of wall time
   /// Wall time that a budget of processor time may take, over that budget [-]
   static constexpr double kWallPerProcessor = 10.0;
 
   /// Never passes.
   Deadline() = default;
   /// Passes at an instant, however much or little work that leaves: the end of somebody's patience.
-  Deadline(clock::time_point instant) : earliest_(instant), latest_(instant) {}  // NOLINT(*-explicit-*)
+  Deadline(Clock::time_point instant) : earliest_(instant), latest_(instant) {}  // NOLINT(*-explicit-*)
   /// After so many seconds of work, which need not be whole. \param seconds  >= 0 [s]
   static Deadline after(double seconds) {
     Deadline deadline(instant_after(kWallPerProcessor * seconds));
@@ -31,20 +31,20 @@ class Deadline {
   /// At an instant so many seconds of wall time from now. \param seconds  >= 0 [s]
   static Deadline after_wall(double seconds) { return instant_after(seconds); }
   static Deadline max() { return {}; }                   ///< never passes
-  static Deadline min() { return clock::time_point{}; }  ///< has passed
+  static Deadline min() { return Clock::time_point{}; }  ///< has passed
 
   /// Whether the work has to end.
   [[nodiscard]] bool passed() const {
-    if (earliest_ == clock::time_point::max()) return false;
+    if (earliest_ == Clock::time_point::max()) return false;
     // One thread has no more processor time than has passed: its clock, which is slow, is asked only then.
-    const clock::time_point now = clock::now();
+    const Clock::time_point now = Clock::now();
     return now > earliest_ && (now > latest_ || processor_now() > processor_);
   }
-  [[nodiscard]] bool endless() const { return earliest_ == clock::time_point::max(); }  ///< it never passes
+  [[nodiscard]] bool endless() const { return earliest_ == Clock::time_point::max(); }  ///< it never passes
   /// Work left, negative once it has passed, infinite if it never does [s].
   [[nodiscard]] double left() const {
     if (endless()) return std::numeric_limits<double>::infinity();
-    const std::chrono::duration<double> wall = latest_ - clock::now();
+    const std::chrono::duration<double> wall = latest_ - Clock::now();
     return std::min(processor_ - processor_now(), wall.count());
   }
   /// The deadline that passes when one of two does.
@@ -56,15 +56,15 @@ class Deadline {
   }
 
  private:
-  static clock::time_point instant_after(double seconds) {
-    const std::chrono::duration<double> most = clock::time_point::max() - clock::now();
-    if (seconds >= 0.5 * most.count()) return clock::time_point::max();
-    return clock::now() + std::chrono::duration_cast<clock::duration>(std::chrono::duration<double>(seconds));
+  static Clock::time_point instant_after(double seconds) {
+    const std::chrono::duration<double> most = Clock::time_point::max() - Clock::now();
+    if (seconds >= 0.5 * most.count()) return Clock::time_point::max();
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
   static double processor_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-  clock::time_point earliest_ = clock::time_point::max();  // it passes at neither clock before that
-  clock::time_point latest_ = clock::time_point::max();
+  Clock::time_point earliest_ = Clock::time_point::max();  // it passes at neither clock before that
+  Clock::time_point latest_ = Clock::time_point::max();
   double processor_ = std::numeric_limits<double>::infinity();  // of this process [s]
 };
 

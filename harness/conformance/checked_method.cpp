@@ -102,6 +102,13 @@ CheckSettings check_settings_of(const MethodEntry& entry) {
   return result;
 }
 
+Solution solve_or_stopped(PreparedMethod& prepared, const Start& start) try {
+  return prepared.solve(start);
+} catch (const SolveFailure& failure) {
+  if (failure.status != Status::timeout) throw;
+  return {.message = failure.what()};
+}
+
 CheckedMethod::CheckedMethod(const MethodEntry& entry, Problem problem, CheckSettings settings)
     : entry_(entry),
       problem_(std::move(problem)),
@@ -114,12 +121,10 @@ const Solution& CheckedMethod::answer() const {
   return *answer_;
 }
 
-Solution CheckedMethod::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const try {
+Solution CheckedMethod::solve(const Problem& problem, std::shared_ptr<const Trajectory> guess) const {
   const std::unique_ptr<PreparedMethod> prepared = method_->prepare(problem);
-  return prepared->solve({.guess = std::move(guess), .deadline = Deadline::after(settings_.timeout)});
-} catch (const SolveFailure& failure) {
-  if (failure.status != Status::timeout) throw;
-  return {.message = failure.what()};  // of a command that was stopped
+  return solve_or_stopped(*prepared,
+                          {.guess = std::move(guess), .deadline = Deadline::after(settings_.timeout)});
 }
 
 CheckedMethod CheckedMethod::with(const Settings& resolution) const {

@@ -36,6 +36,10 @@ const OptionValue* value_of(const std::vector<OptionEcho>& options, std::string_
 /// The value of a number, whole or not; empty if it is none.
 std::optional<double> as_number(const OptionValue& value);
 
+/// The answer; of a command that was stopped at its time limit a solution that has not converged, and says
+/// so. \throws what `solve` throws otherwise
+Solution solve_or_stopped(PreparedMethod& prepared, const Start& start);
+
 /// A method on a scene, and its answer from a cold start, computed when it is first asked for.
 class CheckedMethod {
  public:

@@ -160,7 +160,7 @@ CheckResult check_time_budget(const CheckedMethod& checked) {
   using Clock = std::chrono::steady_clock;
   const std::unique_ptr<PreparedMethod> prepared = checked.method().prepare(checked.problem());
   const auto begin = Clock::now();
-  const Solution solution = prepared->solve({.guess = {}, .deadline = Deadline::min()});
+  const Solution solution = solve_or_stopped(*prepared, {.guess = {}, .deadline = Deadline::min()});
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   if (seconds > checked.settings().patience)
     return failed(fmt::format("it went on for {:.1f} s after its time was up", seconds));

@@ -180,8 +180,9 @@ Samples SampledTrajectory::sample(int count) const {
   // Jumps strictly between a stored instant and the next one.
   const auto jumps_after = [&](int left) {
     const double begin = (left + stored) % stored;
-    return std::ranges::subrange(std::ranges::upper_bound(jumps, begin),
-                                 std::ranges::lower_bound(jumps, begin + 1.0));
+    const auto first = std::ranges::upper_bound(jumps, begin),
+               last = std::ranges::lower_bound(jumps, begin + 1.0);
+    return first < last ? std::span(first, last) : std::span<const double>{};
   };
   for (int i = 0; i < count; ++i) {
     // Whole numbers, so that an instant that is stored is met exactly.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ranges>
 #include <unordered_set>
 #include <utility>
 
@@ -103,16 +102,12 @@ struct SceneRounds {
   std::vector<int> least = std::vector<int>(jobs.size(), 1);       // rounds of each job
   std::vector<bool> done = std::vector<bool>(jobs.size(), false);  // and told so
 
-  [[nodiscard]] auto indices() const { return std::views::iota(std::size_t{0}, jobs.size()); }
-
   std::vector<std::optional<Record>> run() {
     int round = 0;
     while (round < runner.limits().repetitions) run_round(round++);
     measure_equal_solves_again();
-    // And what is unsteady.
-    const auto lacks_rounds = [&](std::size_t i) { return records[i] && missing(i) > 0; };
-    while (!interrupted() && std::ranges::any_of(indices(), lacks_rounds)) run_round(round++);
-    for (const std::size_t i : indices()) {
+    while (!interrupted() && rounds_are_missing()) run_round(round++);  // of what is unsteady
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!records[i]) continue;
       if (missing(i) > 0)
         records[i].reset();
@@ -120,6 +115,13 @@ struct SceneRounds {
         observer.case_done(i, *records[i]);
     }
     return std::move(records);
+  }
+
+  [[nodiscard]] bool rounds_are_missing() const {
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      if (records[i] && missing(i) > 0) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] int missing(std::size_t i) const {
@@ -137,7 +139,7 @@ struct SceneRounds {
   /// times differ by more than kSteadyFactor, those of a single round get another one.
   void measure_equal_solves_again() {
     std::map<std::array<std::string, 3>, std::vector<std::size_t>> equal;
-    for (const std::size_t i : indices()) {
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!records[i] || !records[i]->seconds) continue;
       const Record& record = *records[i];
       if (!record.answer.empty() && !record.problem.empty())

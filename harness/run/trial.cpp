@@ -248,6 +248,16 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
 }
 
 /// What the motion does, and where samples were asked for those of coordinates too.
+void take_physics(const Trial& trial, Motion& motion, Record& record) {
+  const Problem& problem = trial.scene.problem;
+  if (trial.measured || trial.certified) {
+    motion.least = least_size(problem, space_of_large(trial).get());
+    record.physics = measure_physics(problem, trial.law, motion, space_of_large(trial).get());
+  } else if (problem.contact_count() > 0) {
+    record.physics.contact_ratio = contact_ratio(motion);
+  }
+}
+
 void take_summary(const Trial& trial, const Trajectory& answer, const Motion& motion, Record& record) {
   const Problem& problem = trial.scene.problem;
   record.motion = summarise_motion(problem, trial.law, answer, motion, *trial.summary);
@@ -336,12 +346,7 @@ void TrialSeries::run(const Trial& trial, Record record,
   static_cast<void>(usual.restore());  // said above
   record.processor.timing = processor.lap();
   stage_done(record);
-  if (trial.measured || trial.certified) {
-    motion->least = least_size(trial.scene.problem, space_of_large(trial).get());
-    record.physics = measure_physics(trial.scene.problem, trial.law, *motion, space_of_large(trial).get());
-  } else if (trial.scene.problem.contact_count() > 0) {
-    record.physics.contact_ratio = contact_ratio(*motion);
-  }
+  take_physics(trial, *motion, record);
   record.processor.measures = processor.lap();
   stage_done(record);
   if (trial.certified) {

@@ -31,6 +31,18 @@ Waveforms full_waveforms() {
   return Waveforms{.contacts = {0}, .answer = waveform, .orbit = waveform};
 }
 
+Errors full_errors() {
+  return {.x_l2 = 0.125,
+          .x_max = 0.2,
+          .u_l2 = 0.3,
+          .velocity_l2 = 0.4,
+          .impulse = 0.5,
+          .force_l2 = 0.55,
+          .x_worst = 0.13,
+          .force = 0.45,
+          .x_l2_scene = 0.6};
+}
+
 }  // namespace
 
 Record full_record() {
@@ -67,15 +79,7 @@ Record full_record() {
       {.time = 0.5, .contact = 0, .kind = ContactEvent::Kind::impact, .value = -1.0}};
   record.certificate.floquet = {{0.5, 0.25}};
   record.certificate.stable = true;
-  record.errors = {.x_l2 = 0.125,
-                   .x_max = 0.2,
-                   .u_l2 = 0.3,
-                   .velocity_l2 = 0.4,
-                   .impulse = 0.5,
-                   .force_l2 = 0.55,
-                   .x_worst = 0.13,
-                   .force = 0.45,
-                   .x_l2_scene = 0.6};
+  record.errors = full_errors();
   record.physics = {.penetration = 0.1,
                     .complementarity = 0.2,
                     .energy_defect = 0.3,

@@ -163,7 +163,8 @@ TEST(FreeStructure, HopsOnHatFunctionsAtFirstOrder) {
   const Hop hop(0.5, 0.8);
   std::vector<double> steps, errors;
   for (const int samples : {64, 128, 256, 512}) {
-    const Solution solution = solve<HatLcp>(to_problem({.mean = 0.5, .amplitude = 0.8}), {.samples = samples});
+    const Solution solution =
+        solve<HatLcp>(to_problem({.mean = 0.5, .amplitude = 0.8}), {.samples = samples});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     steps.push_back(1.0 / samples);
     errors.push_back(test::relative_error(*solution.trajectory, [&hop](double time) { return hop.x(time); }));

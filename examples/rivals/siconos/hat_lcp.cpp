@@ -8,6 +8,7 @@
 #include <lcp_cst.h>
 
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,10 @@ class Prepared final : public signorini::PreparedMethod {
   Prepared(const Problem& problem, int samples)
       : samples_(samples),
         receptance_(grid_receptance(problem, signorini::HatScheme::galerkin, samples)),
-        stops_(nodal_stops(problem, restitution_of(problem))) {}
+        stops_(nodal_stops(problem, restitution_of(problem))) {
+    if (receptance_.rigid_count() > 0)
+      throw std::runtime_error("a rigid motion that no spring holds has no place in this problem");
+  }
 
   signorini::Solution solve(const signorini::Start&) override {
     const signorini::HatForm form = hat_form(receptance_, stops_, samples_);
@@ -62,7 +66,8 @@ class Prepared final : public signorini::PreparedMethod {
     solution.work.unknowns = form.lcp.matrix->size();
     solution.residual = natural_residual(form.lcp, answer.z);
     solution.message = "status " + std::to_string(answer.status) + " of Lemke's method";
-    solution.trajectory = nodal_motion(receptance_, form.pressure(answer.z), samples_);
+    solution.trajectory = nodal_motion(receptance_, form.pressure(answer.z), samples_,
+                                       Eigen::RowVectorXd::Zero(stops_.gap.size()));
     solution.verdict = answer.status == 0 && solution.trajectory ? signorini::Verdict::converged
                                                                  : signorini::Verdict::not_converged;
     return solution;

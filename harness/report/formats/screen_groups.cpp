@@ -69,7 +69,8 @@ std::vector<std::size_t> order_of_room(const SceneGroup& group) {
     if (!seen) methods.push_back(method);
     (seen ? second : first).push_back(i);
   }
-  std::ranges::stable_partition(first, [&](std::size_t i) { return group.standings[i].recommended; });
+  std::stable_partition(first.begin(), first.end(),
+                        [&](std::size_t i) { return group.standings[i].recommended; });
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }

@@ -72,11 +72,12 @@ TEST(RunPlan, LeavesOneRightRecordPerCaseWhateverTheOthersDo) {
   // Long enough to touch 256 MiB on a slow machine, which takes a second.
   Runner runner({.timeout = 5.0, .memory_mb = 256, .repetitions = 2}, test::free_orbits());
   RecordStore store(test::fresh_folder("suite-run"), false);
-  const SuiteRunResult result = run_plan(plan, runner, store);
+  const Schedule planned_rounds{.more_rounds = 0};
+  const SuiteRunResult result = run_plan(plan, runner, store, planned_rounds);
   EXPECT_EQ(result.ran, 14U);
   EXPECT_FALSE(result.interrupted);
   RecordStore quiet(test::fresh_folder("suite-run-healthy"), false);
-  run_plan(healthy, runner, quiet);
+  run_plan(healthy, runner, quiet, planned_rounds);
 
   const auto records = records_by_case(store);
   ASSERT_EQ(records.size(), 14U);
