@@ -16,8 +16,6 @@ namespace signorini {
 
 namespace {
 
-constexpr int kDefectHarmonics = 512;
-
 double root_mean_square(const Eigen::MatrixXd& values) { return std::sqrt(values.array().square().mean()); }
 
 double fluctuating(const Eigen::MatrixXd& values) {
@@ -29,7 +27,7 @@ double motion_defect(const Problem& problem, const Motion& answer, const Contact
   const double size = std::max(fluctuating(answer.samples.x), answer.least);
   if (!(size > 0.0)) return 0.0;
   try {
-    const ContactResponse response(problem, force_series(problem, answer, kDefectHarmonics), space);
+    const ContactResponse response(problem, force_series(problem, answer, kMeasuredHarmonics), space);
     const Eigen::MatrixXd r = response.displacement(answer.count());
     const Eigen::MatrixXd free = response.free_displacement(answer.count());
     const double off = root_mean_square(answer.samples.x - r);

@@ -16,9 +16,6 @@ namespace signorini {
 
 namespace {
 
-/// Harmonics of the load of a motion without a bandwidth of its own.
-constexpr int kCoordinateHarmonics = 512;
-
 /// Coordinates of a structure up to which a state at each instant costs little.
 constexpr int kMostEvaluated = 100;
 /// Harmonics whose largest tells how small those are that are left out: they fall at least as 1 / n^2.
@@ -56,7 +53,7 @@ CoordinateMotion::CoordinateMotion(const Problem& problem, const Trajectory& ans
     return;
   }
   exact_.reset();
-  ForceSeries series = force_series(problem, motion, kCoordinateHarmonics * motion.order);
+  ForceSeries series = force_series(problem, motion, kMeasuredHarmonics * motion.order);
   const Eigen::Index harmonics = series.lambda.rows() - 1;
   // The coordinates are watched as contacts without a force.
   Problem watched = problem;

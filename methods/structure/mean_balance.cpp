@@ -20,9 +20,9 @@ MeanBalance::MeanBalance(const ContactReceptance& receptance) {
   moved = still - still * share + compliance;
 }
 
-Eigen::MatrixXcd balanced_force(const ContactReceptance& receptance, const Eigen::MatrixXcd& carried) {
-  if (receptance.rigid_count() == 0) return carried;
-  const MeanBalance balance(receptance);
+namespace {
+
+Eigen::MatrixXcd balanced_by(const MeanBalance& balance, const Eigen::MatrixXcd& carried) {
   Eigen::MatrixXcd lambda = carried;
   lambda.row(0) += (balance.force - balance.share * carried.row(0).real().transpose())
                        .transpose()
@@ -30,10 +30,16 @@ Eigen::MatrixXcd balanced_force(const ContactReceptance& receptance, const Eigen
   return lambda;
 }
 
+}  // namespace
+
+Eigen::MatrixXcd balanced_force(const ContactReceptance& receptance, const Eigen::MatrixXcd& carried) {
+  return receptance.rigid_count() == 0 ? carried : balanced_by(MeanBalance(receptance), carried);
+}
+
 Eigen::MatrixXcd carried_motion(const ContactReceptance& receptance, const Eigen::MatrixXcd& carried) {
   if (receptance.rigid_count() == 0) return contact_motion(receptance, carried);
-  Eigen::MatrixXcd x = contact_motion(receptance, balanced_force(receptance, carried));
   const MeanBalance balance(receptance);
+  Eigen::MatrixXcd x = contact_motion(receptance, balanced_by(balance, carried));
   x.row(0) +=
       (balance.compliance * carried.row(0).real().transpose()).transpose().cast<std::complex<double>>();
   return x;

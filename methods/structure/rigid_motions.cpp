@@ -102,7 +102,10 @@ std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
   std::vector<int> part(static_cast<std::size_t>(problem.size()));
   std::iota(part.begin(), part.end(), 0);
   const auto root = [&](int i) {
-    while (part[static_cast<std::size_t>(i)] != i) i = part[static_cast<std::size_t>(i)];
+    while (part[static_cast<std::size_t>(i)] != i) {
+      int& above = part[static_cast<std::size_t>(i)];
+      i = above = part[static_cast<std::size_t>(above)];  // halves the way of the next one
+    }
     return i;
   };
   for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {

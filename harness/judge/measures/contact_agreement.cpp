@@ -148,8 +148,8 @@ std::string phase_difference(const Motion& answer, const Motion& orbit, int cont
   return fmt::format("contact {} pushes at other times than on the orbit", contact);
 }
 
-/// How the forces differ beyond what is allowed; empty where they do not.
-std::string force_difference(const Motion& answer, const Motion& orbit, const Touches& exact) {
+/// How the forces differ beyond what is allowed where x is off by `moved`; empty where they do not.
+std::string force_difference(const Motion& answer, const Motion& orbit, const Touches& exact, double moved) {
   const ForceErrors errors = force_errors(answer, orbit);
   for (Eigen::Index c = 0; c < std::ssize(errors.error); ++c) {
     const auto at = static_cast<std::size_t>(c);
@@ -157,7 +157,6 @@ std::string force_difference(const Motion& answer, const Motion& orbit, const To
       return fmt::format("the force of contact {} is off by {:.2g} of its own", c,
                          errors.error[at] / errors.size[at]);
   }
-  const double moved = distance(answer, orbit).x_l2.value_or(0.0);
   const double worst = errors.worst().value_or(0.0);
   if (worst > std::min(kMostForce, kOwnForce + kForcePerMotion * moved))
     return fmt::format("the contact force, its instants included, is off by {:.2g}", worst);
@@ -220,9 +219,11 @@ ContactDifference contact_difference(const Problem& problem, const Motion& answe
     return {.text = "it has no contact force, and the orbit has", .contradicts = true};
   if (exact.none() && found.hits())
     return {.text = "it has a contact force, and the orbit has none", .contradicts = true};
-  const Measure worst = distance(answer, orbit).x_worst;
-  if (worst && *worst > kWorstContact)
-    return {.text = fmt::format("one of its contacts is off by {:.2g} of that contact's own motion", *worst)};
+  const Distance apart = distance(answer, orbit);
+  if (apart.x_worst.value_or(0.0) > kWorstContact) {
+    return {.text = fmt::format("one of its contacts is off by {:.2g} of that contact's own motion",
+                                *apart.x_worst)};
+  }
   if (found.none() && exact.none()) return {};
   for (Eigen::Index c = 0; c < contacts; ++c) {
     if ((found.clearly(c) && !exact.touching(c)) || (exact.clearly(c) && !found.touching(c)))
@@ -232,7 +233,9 @@ ContactDifference contact_difference(const Problem& problem, const Motion& answe
     if (!found.clearly(c) && !exact.clearly(c)) continue;
     if (const std::string text = phase_difference(answer, orbit, c); !text.empty()) return {.text = text};
   }
-  if (const std::string text = force_difference(answer, orbit, exact); !text.empty()) return {.text = text};
+  if (const std::string text = force_difference(answer, orbit, exact, apart.x_l2.value_or(0.0));
+      !text.empty())
+    return {.text = text};
   const auto* restitution = std::get_if<Restitution>(&problem.law);
   return {.text = restitution == nullptr ? std::string() : restitution_difference(answer, restitution->e)};
 }

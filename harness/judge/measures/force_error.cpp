@@ -13,8 +13,6 @@ namespace signorini {
 
 namespace {
 
-/// Harmonics of the load in which forces are compared.
-constexpr int kForceHarmonics = 512;
 /// Share of the whole force that its varying part is taken to be at least.
 constexpr double kLeastVarying = 0.1;
 
@@ -61,10 +59,10 @@ Eigen::MatrixXcd told_spectrum(const Motion& motion, int count) {
 struct ForceSpectra {
   ForceSpectra(const Motion& answer, const Motion& orbit) : order(std::lcm(answer.order, orbit.order)) {
     const auto over_both = [&](const Motion& motion) -> Eigen::MatrixXcd {
-      return repeated(told_spectrum(motion, kForceHarmonics * motion.order), order / motion.order);
+      return repeated(told_spectrum(motion, kMeasuredHarmonics * motion.order), order / motion.order);
     };
-    const Eigen::Index all = kForceHarmonics * order;
-    const Eigen::Index shown = resolved_harmonics(answer).value_or(kForceHarmonics * answer.order);
+    const Eigen::Index all = kMeasuredHarmonics * order;
+    const Eigen::Index shown = resolved_harmonics(answer).value_or(kMeasuredHarmonics * answer.order);
     const Eigen::Index last = std::clamp<Eigen::Index>(shown * (order / answer.order), order, all);
     const Eigen::MatrixXcd own = over_both(orbit).topRows(last + 1);
     apart = 2.0 * (over_both(answer).topRows(last + 1) - own).cwiseAbs2();

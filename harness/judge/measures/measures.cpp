@@ -26,10 +26,6 @@ namespace {
 
 /// Coordinates of the largest structure whose field is compared for u_l2.
 constexpr int kLargestField = 10000;
-/// Harmonics of the fields compared for u_l2.
-constexpr int kFieldHarmonics = 512;
-/// Harmonics of the response whose work is summed.
-constexpr int kEnergyHarmonics = 512;
 /// Impacts slower than this share of the largest speed say nothing about restitution.
 constexpr double kSlow = 0.01;
 
@@ -58,9 +54,9 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
   if (problem.size() <= problem.contact_count() || problem.size() > kLargestField) return std::nullopt;
   const int order = std::lcm(answer.order, orbit.order);
   const Eigen::MatrixXcd found =
-      repeated(force_series(problem, answer, kFieldHarmonics).lambda, order / answer.order);
+      repeated(force_series(problem, answer, kMeasuredHarmonics).lambda, order / answer.order);
   Eigen::MatrixXcd exact =
-      repeated(force_series(problem, orbit, kFieldHarmonics).lambda, order / orbit.order);
+      repeated(force_series(problem, orbit, kMeasuredHarmonics).lambda, order / orbit.order);
   const Eigen::MatrixXcd apart = series_difference(found, exact);
   exact.conservativeResizeLike(Eigen::MatrixXcd::Zero(apart.rows(), apart.cols()));
   const double base = kTwoPi / (order * orbit.forcing_period);
@@ -90,9 +86,9 @@ Measure field_error(const Problem& problem, const Motion& answer, const Motion& 
 Measure field_error_on(const ContactSpace& space, const Problem& problem, const Motion& answer,
                        const Motion& orbit) {
   if (answer.order != orbit.order) return std::nullopt;
-  const Eigen::MatrixXcd force = force_series(problem, orbit, kFieldHarmonics).lambda;
+  const Eigen::MatrixXcd force = force_series(problem, orbit, kMeasuredHarmonics).lambda;
   const Eigen::MatrixXcd apart =
-      series_difference(force_series(problem, answer, kFieldHarmonics).lambda, force);
+      series_difference(force_series(problem, answer, kMeasuredHarmonics).lambda, force);
   const double base = kTwoPi / orbit.period();
   const auto load = [&](const Eigen::MatrixXcd& lambda) {
     return space.load().coefficients(base, static_cast<int>(lambda.rows()) - 1);
@@ -184,7 +180,7 @@ double dissipation_tail(const Problem& problem, const Motion& answer, int harmon
 struct Response {
   Response(const Problem& problem, const Motion& answer, const ContactSpace* space) {
     try {
-      found.emplace(problem, force_series(problem, answer, kEnergyHarmonics), space);
+      found.emplace(problem, force_series(problem, answer, kMeasuredHarmonics), space);
     } catch (const std::bad_alloc&) {
       throw;  // the child's memory limit is told apart
     } catch (const std::exception& error) {
@@ -223,7 +219,7 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
       missed = -contact_work(answer, law, contact_gaps(problem));
     } else {
       missed = work - response.found->dissipation();
-      if (!answer.bandwidth) missed -= dissipation_tail(problem, answer, kEnergyHarmonics);
+      if (!answer.bandwidth) missed -= dissipation_tail(problem, answer, kMeasuredHarmonics);
     }
     const auto* restitution = std::get_if<Restitution>(&law);
     if (restitution != nullptr && restitution->e < 1.0) {

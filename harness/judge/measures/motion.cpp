@@ -19,8 +19,6 @@ namespace {
 
 /// Share of the scale of the scene (`scene_length`) that is the unit of a motion at rest.
 constexpr double kLeastSize = 0.1;
-/// Harmonics per forcing period of the force of an exact orbit, the most that any measure asks for.
-constexpr int kExactHarmonics = 512;
 /// Share of that unit below which a motion rests.
 constexpr double kAtRest = 1e-8;
 /// Share of the unit of all contacts that the unit of one is at least.
@@ -170,7 +168,7 @@ Motion sample_motion(const Problem& problem, const Trajectory& trajectory, int p
   if (const auto exact = ExactMotion::of(problem, trajectory)) {
     motion.speeds = exact->speeds_beside_impulses();
     if (per_period == kGrid)
-      motion.force_coefficients = exact->force_coefficients(kExactHarmonics * motion.order);
+      motion.force_coefficients = exact->force_coefficients(kMeasuredHarmonics * motion.order);
   }
   return motion;
 }

@@ -16,6 +16,9 @@ namespace signorini {
 /// Instants per forcing period on which every measure is taken.
 inline constexpr int kGrid = 8192;
 
+/// Harmonics in which forces and fields are compared, the most that any measure asks an exact orbit for.
+inline constexpr int kMeasuredHarmonics = 512;
+
 /// Two motions of one orbit agree to this, as `distance` measures x; distinct orbits do not.
 inline constexpr double kSameOrbit = 1e-6;
 
