@@ -11,8 +11,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -41,8 +43,22 @@ void close_all_but(int kept) {
   close_range(number + 1, ~0U, 0);
 }
 
-/// Processor time of a process, of its children that it has waited for, and of those that run [s].
-double processor_seconds_of(pid_t process) {
+/// Time that the threads of a process have waited for a processor, infinite where the system does not tell
+/// [s].
+double waiting_seconds_of(const std::string& folder) {
+  double seconds = 0.0;
+  std::error_code gone;  // a thread may end, and the process with it
+  for (const auto& thread : std::filesystem::directory_iterator(folder + "/task", gone)) {
+    std::ifstream schedstat(thread.path() / "schedstat");
+    double running = 0.0, waiting = std::numeric_limits<double>::infinity();
+    schedstat >> running >> waiting;  // [ns]
+    seconds += 1e-9 * waiting;
+  }
+  return seconds;
+}
+
+/// Those of a process, of its children that it has waited for, and of those that run.
+ChildTimes times_of(pid_t process) {
   const std::string folder = "/proc/" + std::to_string(process);
   std::ifstream stat(folder + "/stat");
   std::string text;
@@ -52,10 +68,14 @@ double processor_seconds_of(pid_t process) {
   double ticks = 0.0;
   for (int field = 3; field <= kLastTime && fields >> text; ++field)
     if (field >= kFirstTime) ticks += std::strtod(text.c_str(), nullptr);
-  double seconds = ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+  ChildTimes times{ticks / static_cast<double>(sysconf(_SC_CLK_TCK)), waiting_seconds_of(folder)};
   std::ifstream children(folder + "/task/" + std::to_string(process) + "/children");
-  for (pid_t child = 0; children >> child;) seconds += processor_seconds_of(child);
-  return seconds;
+  for (pid_t child = 0; children >> child;) {
+    const ChildTimes below = times_of(child);
+    times.processor += below.processor;
+    times.waiting += below.waiting;
+  }
+  return times;
 }
 
 void prepare_child(pid_t parent, const StandardStreams& streams, int kept) {
@@ -126,7 +146,18 @@ bool ChildProcess::has_ended() const {
   return waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id_;
 }
 
-double ChildProcess::processor_seconds() const { return processor_seconds_of(id_); }
+ChildTimes ChildProcess::times() const { return times_of(id_); }
+
+ChildAllowance::ChildAllowance(const ChildProcess& child, double seconds)
+    : seconds_(seconds), before_(child.times()) {}
+
+bool ChildAllowance::used(const ChildProcess& child) const {
+  const double wall = wall_seconds();
+  if (wall <= seconds_) return false;  // of either time it has no more than has passed
+  if (wall > Deadline::kWallPerProcessor * seconds_) return true;
+  const ChildTimes now = child.times();
+  return now.processor - before_.processor > seconds_ || wall - (now.waiting - before_.waiting) > seconds_;
+}
 
 void ChildProcess::send_signal(int signal) const { kill(-id_, signal); }
 

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <concepts>
 #include <cstddef>
 #include <cstdlib>
@@ -11,6 +12,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "methods/deadline.hpp"
 
 namespace signorini {
 
@@ -57,6 +60,14 @@ struct StandardStreams {
   int in = -1, out = -1, err = -1;
 };
 
+/// What a child and those below it have taken.
+struct ChildTimes {
+  double processor = 0.0;  ///< that of what has ended below it, too, in steps of some 10 ms [s]
+  /// For which threads that are there could have run and had no processor, added up; infinite where the
+  /// system does not tell [s]
+  double waiting = 0.0;
+};
+
 /// A child process that leads a process group of its own, has the default signal handlers and none of the
 /// parent's open files, and dies with the parent. It is killed with its whole group when this object is
 /// destroyed. The parent must have no other threads.
@@ -80,9 +91,7 @@ class ChildProcess {
   [[nodiscard]] bool has_ended() const;
   /// Readable, for poll(2), once the child has ended; -1 on systems that offer no such descriptor.
   [[nodiscard]] int end_descriptor() const { return end_.number(); }
-  /// Processor time so far of the child, of what has ended below it, and of what runs there, in steps of some
-  /// 10 ms [s].
-  [[nodiscard]] double processor_seconds() const;
+  [[nodiscard]] ChildTimes times() const;  ///< so far
   /// Sends a signal to the whole group.
   void send_signal(int signal) const;
   /// Kills what is left of the group and waits for the child; to be called once. \return as of waitpid(2)
@@ -94,6 +103,29 @@ class ChildProcess {
 
   pid_t id_ = -1;
   Descriptor end_;
+};
+
+/// The time that a child may take from now on: processor time, or wall time in which none of its threads
+/// waited for a processor. What sleeps uses it, and other work on the machine does not, up to
+/// Deadline::kWallPerProcessor times as much wall time.
+class ChildAllowance {
+ public:
+  ChildAllowance() = default;  ///< endless
+  /// \param seconds  what it may take [s]
+  ChildAllowance(const ChildProcess& child, double seconds);
+  /// Whether the child has taken it.
+  [[nodiscard]] bool used(const ChildProcess& child) const;
+  /// Wall time that passes at least before it can be used, negative once that has passed [s].
+  [[nodiscard]] double least_wait() const { return seconds_ - wall_seconds(); }
+
+ private:
+  [[nodiscard]] double wall_seconds() const {
+    return std::chrono::duration<double>(Deadline::Clock::now() - start_).count();
+  }
+
+  double seconds_ = std::numeric_limits<double>::infinity();
+  Deadline::Clock::time_point start_ = Deadline::Clock::now();
+  ChildTimes before_;
 };
 
 }  // namespace signorini

@@ -161,9 +161,7 @@ class IsolatedChild {
     const std::size_t stages = limits_.stage_seconds.size(), stage = end_.lines.size();
     const double seconds =
         limits_.stage_seconds[limits_.repeated ? stage % stages : std::min(stage, stages - 1)];
-    deadline_ = Deadline::after_wall(seconds);
-    ceiling_ = Deadline::after_wall(Deadline::kWallPerProcessor * seconds);
-    processor_ = process_.processor_seconds() + seconds;
+    allowance_ = ChildAllowance(process_, seconds);
     allowed_seconds_ += seconds;
     rlimit limit{};
     if (prlimit(id(), RLIMIT_CPU, nullptr, &limit) != 0) return;  // it is dead already
@@ -203,12 +201,11 @@ class IsolatedChild {
   void stop(ChildEnd::Kind reason) {
     stopped_ = reason;
     process_.send_signal(SIGTERM);
-    deadline_ = ceiling_ = Deadline::after_wall(limits_.grace);
+    end_of_grace_ = Deadline::after_wall(limits_.grace);
   }
 
   void enforce_deadline() {
-    // Of processor time a child has no more than has passed.
-    if (!deadline_.passed() || !(ceiling_.passed() || process_.processor_seconds() > processor_)) return;
+    if (!(stopped_ ? end_of_grace_.passed() : allowance_.used(process_))) return;
     if (!stopped_) {
       stop(ChildEnd::Kind::timed_out);
     } else {
@@ -242,8 +239,8 @@ class IsolatedChild {
   bool work_ended_ = false;   ///< the child reported how its work ended
   std::optional<ChildEnd::Kind> stopped_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  Deadline deadline_, ceiling_;   ///< of wall time: before the one it is left alone, at the other it is ended
-  double processor_ = 0.0;        ///< at which it is ended in between [s]
+  ChildAllowance allowance_;      ///< of its stage
+  Deadline end_of_grace_;         ///< once it is asked to stop
   double allowed_seconds_ = 0.0;  ///< of all stages so far
   ChildEnd end_;
 };

@@ -12,8 +12,9 @@ namespace signorini {
 /// What a child may use.
 struct IsolationLimits {
   /// Processor time, its descendants' included, until each line that the child sends [s]; the last one holds
-  /// for all later lines and the end. Of wall time it may take Deadline::kWallPerProcessor times as much. The
-  /// system ends a process that has all of it so far and one second more.
+  /// for all later lines and the end. What sleeps uses it, too; what waits for a processor does not, up to
+  /// Deadline::kWallPerProcessor times as much wall time. The system ends a process that has all of it so far
+  /// and one second more.
   std::vector<double> stage_seconds{30.0};
   /// After the last one they begin anew with the first, in place of the last one holding.
   bool repeated = false;

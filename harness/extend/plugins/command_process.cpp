@@ -106,19 +106,17 @@ class RunningCommand {
  private:
   [[nodiscard]] bool has_answered() const { return stays_ && line_end_ != std::string::npos; }
 
-  /// Writes and reads until the command has answered or ended, the deadline has passed, also of its own
-  /// processor time, or it prints too much.
+  /// Writes and reads until the command has answered or ended, the deadline has passed, also by what the
+  /// command itself has taken, or it prints too much.
   void exchange(const Deadline& deadline) {
-    const double most = process_.processor_seconds() + deadline.left();
-    const Deadline earliest = Deadline::after_wall(std::max(0.0, deadline.left()));
+    const ChildAllowance allowance(process_, std::max(0.0, deadline.left()));
     while (!has_answered() && end_.output.size() <= kMostOutput) {
       const bool gone = process_.has_ended();  // then all that it printed is there to be read
-      const bool may_be_late = earliest.passed();
-      if (!gone && may_be_late && (deadline.passed() || process_.processor_seconds() > most)) {
+      if (!gone && (deadline.passed() || allowance.used(process_))) {
         end_.expired = true;
         return;
       }
-      if (!gone) wait(may_be_late ? kLookLate : std::min(kLook, earliest.left()));
+      if (!gone) wait(std::clamp(allowance.least_wait(), kLookLate, kLook));
       write_input();
       read_output();
       if (gone) return;

@@ -66,8 +66,8 @@ TEST(ChildProcess, KnowsTheProcessorTimeOfItsDescendants) {
   });
   pollfd place{.fd = done.read.number(), .events = POLLIN, .revents = 0};
   ASSERT_EQ(poll(&place, 1, 60'000), 1);
-  EXPECT_GE(child.processor_seconds(), 0.05);
-  EXPECT_LE(child.processor_seconds(), 1.0);
+  EXPECT_GE(child.times().processor, 0.05);
+  EXPECT_LE(child.times().processor, 1.0);
 }
 
 TEST(ReadAvailable, StopsBeyondTheMostItMayTake) {

@@ -14,6 +14,7 @@
 #include <string>
 #include <thread>
 
+#include "methods/deadline.hpp"
 #include "methods/plugin/sanitizer.hpp"
 #include "methods/solvers/dense_products.hpp"
 
@@ -76,6 +77,16 @@ TEST(RunIsolated, GivesEachStageItsOwnTime) {
   EXPECT_EQ(end.kind, Kind::timed_out);
   EXPECT_EQ(end.lines.size(), 2U);
   EXPECT_EQ(run_isolated(work, {.stage_seconds = {2.0}, .grace = 0.1}).kind, Kind::finished);
+}
+
+TEST(RunIsolated, CountsSleepAsTimeUsed) {
+  constexpr double kLimit = 0.2;
+  const ChildEnd end =
+      run_isolated([](const LineSender&) { std::this_thread::sleep_for(std::chrono::seconds(60)); },
+                   {.stage_seconds = {kLimit}});
+  EXPECT_EQ(end.kind, ChildEnd::Kind::timed_out);
+  // Long before the ceiling of wall time, which is for what other work keeps from a processor.
+  EXPECT_LT(end.seconds, 0.5 * Deadline::kWallPerProcessor * kLimit);
 }
 
 TEST(RunIsolated, LeavesNoProcessBehind) {
