@@ -65,7 +65,7 @@ std::vector<int> least_rotation(const std::vector<int>& events, const std::vecto
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (before(i) < longest - kLonger) continue;
     std::vector<int> rotated = events;
-    std::ranges::rotate(rotated, rotated.begin() + static_cast<std::ptrdiff_t>(i));
+    std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(i), rotated.end());
     if (least.empty() || rotated < least) least = std::move(rotated);
   }
   return least;
