@@ -11,4 +11,15 @@ double median(std::vector<double> values);
 /// Median absolute deviation from the median. Requires at least one value.
 double median_deviation(std::vector<double> values);
 
+/// A value and the half-width of its interval of 95 % confidence.
+struct Estimate {
+  double value = 0.0;
+  double error = 0.0;
+};
+
+/// The mean of a stationary sequence whose neighbours depend on each other: that of at most 20 batches of
+/// successive values, whose means are taken as independent, with the quantile of Student's distribution
+/// [schmeiser1982]. The error of one value is 0. Requires at least one value.
+Estimate batch_mean(const std::vector<double>& values);
+
 }  // namespace signorini

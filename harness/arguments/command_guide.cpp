@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kHelpColumns = 80, kHelpIndent = 24;
 
-constexpr std::array<CommandExample, 25> kExamples{{
+constexpr std::array<CommandExample, 26> kExamples{{
     {"list", "signorini list scenes", "the scenes that ship, one a line"},
     {"list", "signorini list scenes 'beam*'", "some of them, by name or tag"},
     {"show", "signorini show hat-lcp", "the options of a method"},
@@ -26,6 +26,7 @@ constexpr std::array<CommandExample, 25> kExamples{{
     {"solve", "signorini solve own.toml --method hat-lcp --set samples=512 --dofs 0,5 --plot own.svg",
      "a scene of one's own, two coordinates, a picture"},
     {"orbits", "signorini orbits sdof-two-sided", "all periodic motions, stable or not"},
+    {"motion", "signorini motion sdof-stop --starts 8", "where motions settle, or Lyapunov exponents"},
     {"reduce", "signorini reduce block-nine-contacts --out pad.toml",
      "a large structure as a small scene of one's own"},
     {"sweep", "signorini sweep sdof-stop --methods exact-orbit --from 0.5 --to 3 --plot response.svg",
@@ -56,7 +57,7 @@ struct CommandGroup {
 };
 
 constexpr std::array<CommandGroup, 4> kGroups{{
-    {"Use", "list show solve orbits sweep reduce completion man "},
+    {"Use", "list show solve orbits motion sweep reduce completion man "},
     {"Judge", "run report compare verify doctor "},
     {"Extend", "new check "},
     {"Cluster", "submit status merge "},

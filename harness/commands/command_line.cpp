@@ -166,7 +166,7 @@ int run_command_line(int argc, char** argv) {
   const Command program = parser.program();
   program.require_command();
   for (const auto add : {add_list_command, add_show_command, add_solve_command, add_orbits_command,
-                         add_reduce_command, add_completion_command, add_man_command})
+                         add_motion_command, add_reduce_command, add_completion_command, add_man_command})
     add(program, exit_code);
   add_sweep_command(program, exit_code, words);
   add_run_command(program, exit_code, words);

@@ -168,20 +168,15 @@ constexpr double kStateSeconds = 2.0;
 /// Uniform in [0, 1), the same on every platform.
 double uniform(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11U) * 0x1p-53; }
 
-/// A state of the scales of the motion, after a transient.
-FlowState random_state(OrbitModel& model, std::mt19937_64& generator, const SearchOptions& options) {
-  const ContactDynamics& dynamics = model.dynamics;
-  const double size = std::pow(10.0, 2.0 * uniform(generator) - 1.0);
-  State state = dynamics.at_rest();
-  for (double& u : state.u) u = size * dynamics.scales().displacement * (2.0 * uniform(generator) - 1.0);
-  for (double& v : state.v) v = size * dynamics.scales().velocity * (2.0 * uniform(generator) - 1.0);
-  const double time = dynamics.structure().forcing_period * uniform(generator);
+/// A random state after a transient.
+FlowState settled_state(OrbitModel& model, std::mt19937_64& generator, const SearchOptions& options) {
+  EventFlow flow(model.dynamics, 1e-9, options.expired, Integrator::modal);
+  FlowState start = random_state(flow, generator);
   const auto transient = static_cast<int>((kLongestTransient + 1) * uniform(generator));
-  EventFlow flow(dynamics, 1e-9, options.expired, Integrator::modal);
-  FlowState start = flow.place(time, state);
   if (transient > 0) {
     FlowRecord record;
-    flow.advance(start, transient * dynamics.structure().forcing_period, record);
+    const double time = start.time;
+    flow.advance(start, transient * model.dynamics.structure().forcing_period, record);
     start.time = time;
   }
   return start;
@@ -196,7 +191,7 @@ OrbitCandidate search_from_state(const Problem& at, int number, unsigned seed, D
   const SearchOptions options = search_until(Deadline::first_of(deadline, Deadline::after(kStateSeconds)));
   OrbitFinder finder(at);
   try {
-    const FlowState start = random_state(*finder.model(), generator, options);
+    const FlowState start = settled_state(*finder.model(), generator, options);
     const auto sequence = simulated_sequence(*finder.model(), start, options.expired);
     const OrbitGuess guess = sequence.value_or(OrbitGuess{.start = start, .events = {}, .origin = "a state"});
     take_search(finder.find(guess, options), candidate);
@@ -221,6 +216,15 @@ CandidateUnit random_states(const Problem& problem, int order, int first, int la
 }
 
 }  // namespace
+
+FlowState random_state(const EventFlow& flow, std::mt19937_64& generator) {
+  const ContactDynamics& dynamics = flow.dynamics();
+  const double size = std::pow(10.0, 2.0 * uniform(generator) - 1.0);
+  State state = dynamics.at_rest();
+  for (double& u : state.u) u = size * dynamics.scales().displacement * (2.0 * uniform(generator) - 1.0);
+  for (double& v : state.v) v = size * dynamics.scales().velocity * (2.0 * uniform(generator) - 1.0);
+  return flow.place(dynamics.structure().forcing_period * uniform(generator), state);
+}
 
 std::vector<CandidateUnit> candidate_units(const Problem& problem, int order, int starts, unsigned seed,
                                            std::span<const MethodEntry> catalogue) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <random>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 
 #include "harness/judge/orbit_solver.hpp"
 #include "methods/catalogue.hpp"
+#include "methods/flow/flow.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "problems/problem.hpp"
 
@@ -58,6 +60,10 @@ struct CandidateUnit {
   std::string name = {};
   std::function<void(const Deliver& deliver, Deadline deadline)> work = {};
 };
+
+/// A random state: displacements and velocities uniform within a magnitude that is log-uniform in 0.1 to 10
+/// scales of the motion, at a random phase of the forcing; the same on every platform.
+FlowState random_state(const EventFlow& flow, std::mt19937_64& generator);
 
 /// Starts at period `order` forcing periods, in a fixed order:
 ///

@@ -39,16 +39,6 @@ OrbitGuess first_period(OrbitGuess orbit, double period) {
   return orbit;
 }
 
-/// A certified orbit of least period `order`.
-FoundOrbit describe_orbit(const Problem& problem, int order, CertifiedOrbit checked) {
-  const Motion whole = sample_motion(problem, *checked.motion);
-  return {.certified = std::move(checked),
-          .fingerprint = fingerprint(whole),
-          .order = order,
-          .period = whole.period(),
-          .amplitude = amplitude(whole)};
-}
-
 /// Nothing but events: what the polish needs of an orbit.
 class ListedEvents final : public Trajectory {
  public:
@@ -179,6 +169,15 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
 }
 
 }  // namespace
+
+FoundOrbit describe_orbit(const Problem& problem, int order, CertifiedOrbit checked) {
+  const Motion whole = sample_motion(problem, *checked.motion);
+  return {.certified = std::move(checked),
+          .fingerprint = fingerprint(whole),
+          .order = order,
+          .period = whole.period(),
+          .amplitude = amplitude(whole)};
+}
 
 void sort_orbits(std::vector<FoundOrbit>& orbits) {
   const auto rank = [](const FoundOrbit& orbit) {

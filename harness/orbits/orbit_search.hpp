@@ -66,6 +66,10 @@ using SearchProgress = std::function<void(int order)>;
 SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
                             const OrbitPolisher& polish = {}, const SearchProgress& progress = {});
 
+/// An orbit of least period `order` forcing periods, with what its motion tells.
+/// \param checked  with a motion
+FoundOrbit describe_orbit(const Problem& problem, int order, CertifiedOrbit checked);
+
 /// Orders orbits as a search returns them: by order, stable ones first, then by falling amplitude.
 void sort_orbits(std::vector<FoundOrbit>& orbits);
 

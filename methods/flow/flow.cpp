@@ -65,9 +65,14 @@ EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<b
 }
 
 // Both forms agree on deviations that the constraint admits; those normal to it the saltation removes.
-Eigen::MatrixXd EventFlow::transition(const std::vector<bool>& closed, double duration) {
-  if (integrator_ == Integrator::modal) return flows_.of(closed).transition(duration);
-  return matrix_exponential(dynamics_.flow_matrix(mode_) * duration);
+Eigen::MatrixXd EventFlow::carried(const std::vector<bool>& closed, double duration,
+                                   const Eigen::MatrixXd& deviations) {
+  if (integrator_ != Integrator::modal)
+    return product(matrix_exponential(dynamics_.flow_matrix(mode_) * duration), deviations);
+  const LinearFlow& flow = flows_.of(closed);
+  if (deviations.cols() >= deviations.rows()) return product(flow.transition(duration), deviations);
+  const TransitionFactors factors = flow.transition_factors(duration);
+  return product(factors.writing, product(factors.reading, deviations));
 }
 
 // From flow.time to the next event, or to where the stretch ends.
@@ -95,8 +100,7 @@ void EventFlow::follow(Stretch& stretch, FlowState& flow, double end, FlowRecord
   if (!flow.state.u.allFinite() || !flow.state.v.allFinite())
     throw FlowError("the motion is no longer finite");
   events_->hold(flow.state, mode_);
-  if (record.tangent)
-    record.derivative = product(transition(flow.closed, flow.time - begin), record.derivative);
+  if (record.tangent) record.derivative = carried(flow.closed, flow.time - begin, record.derivative);
   if (record.dense) record.nodes.push_back(stretch.node(flow.time, flow.state));
   if (crossing.contact >= 0) events_->resolve(flow, crossing.contact, record);
 }

@@ -60,7 +60,8 @@ class EventFlow {
   void follow(Stretch& stretch, FlowState& flow, double end, FlowRecord& record);
   [[nodiscard]] double guard_floor(int contact, double noise) const;
   Crossing first_event(const Stretch& stretch, std::vector<bool>& fresh, std::vector<Guard>& last) const;
-  [[nodiscard]] Eigen::MatrixXd transition(const std::vector<bool>& closed, double duration);
+  [[nodiscard]] Eigen::MatrixXd carried(const std::vector<bool>& closed, double duration,
+                                        const Eigen::MatrixXd& deviations);
 
   const ContactDynamics& dynamics_;
   Integrator integrator_;

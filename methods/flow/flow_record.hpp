@@ -33,15 +33,17 @@ struct FlowNode {
 
 /// What to keep of a flow, and what was kept.
 struct FlowRecord {
-  bool dense = false;    ///< keep nodes
-  bool tangent = false;  ///< keep the derivative of the final state with respect to the first
+  bool dense = false;  ///< keep nodes
+  /// Keep the derivative of the final state with respect to the first; times the matrix, Ns x k, that
+  /// `derivative` holds before.
+  bool tangent = false;
 
   /// As they are met, times not wrapped; a closing that ends a chatter at the limit of its impacts.
   std::vector<ContactEvent> events;
   /// The same, event by event; impacts of one instant are one where they feel each other through the mass.
   std::vector<SequenceEvent> sequence;
   std::vector<FlowNode> nodes;  ///< in time order; two at each event, one for either side
-  Eigen::MatrixXd derivative;   ///< Ns x Ns, of (u, xi, v)
+  Eigen::MatrixXd derivative;   ///< Ns x Ns or Ns x k, of (u, xi, v)
   /// Impacts of one instant feel each other: the derivative is that of one of their orders.
   bool order_matters = false;
 };

@@ -22,6 +22,26 @@ TEST(Median, IsTheMiddleOfASortedSample) {
   }
 }
 
+// The mean of n independent numbers of variance 1 / 3 has the deviation 1 / sqrt(3 n), and batches do not
+// change it.
+TEST(BatchMean, KnowsTheErrorOfItsValue) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  constexpr int kTrials = 400, kSize = 1000;
+  int inside = 0;
+  double width = 0.0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::vector<double> values(kSize);
+    for (double& value : values) value = 0.25 + uniform(random);
+    const Estimate mean = batch_mean(values);
+    width += mean.error / kTrials;
+    inside += std::abs(mean.value - 0.25) <= mean.error ? 1 : 0;
+  }
+  EXPECT_NEAR(inside, 0.95 * kTrials, 20.0);
+  EXPECT_NEAR(width, 2.093 / std::sqrt(3.0 * kSize), 0.1 * 2.093 / std::sqrt(3.0 * kSize));
+  EXPECT_EQ(batch_mean({2.0}).error, 0.0);
+}
+
 TEST(Median, TakesFailuresAsInfiniteTimes) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(median({1.0, kInfinity, 2.0}), 2.0);

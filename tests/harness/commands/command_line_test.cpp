@@ -111,9 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CommandLine, HelpsWithEveryCommand) {
   for (const char* command :
-       {"",        "list",   "show",         "solve",           "run",        "status", "merge",
-        "compare", "doctor", "submit slurm", "submit parallel", "completion", "man",    "report",
-        "orbits",  "verify", "check",        "new method",      "new scene",  "sweep"}) {
+       {"",        "list",   "show",         "solve",           "run",        "status",    "merge",
+        "compare", "doctor", "submit slurm", "submit parallel", "completion", "man",       "report",
+        "orbits",  "motion", "verify",       "check",           "new method", "new scene", "sweep"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_NE(outcome.out.find("Usage: signorini"), std::string::npos) << command;

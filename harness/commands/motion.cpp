@@ -1,0 +1,351 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+#include <sstream>
+
+#include "harness/commands/command_line.hpp"
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/judge/exact_certificate.hpp"
+#include "harness/motion/long_motion.hpp"
+#include "harness/orbits/orbit_candidate.hpp"
+#include "harness/orbits/orbit_file.hpp"
+#include "harness/plots/plot_file.hpp"
+#include "harness/plots/section_plot.hpp"
+#include "harness/progress.hpp"
+#include "harness/table.hpp"
+#include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
+#include "methods/structure/bases/condensation.hpp"
+#include "problems/files/text_lines.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kMostRandomStarts = 10000;
+
+struct MotionArguments {
+  std::string scene;
+  std::string states;  // the file of --from-state
+  int starts = 0;
+  unsigned seed = 1;
+  LongMotionOptions options;
+  double timeout = 60.0;  // [s]
+  bool json = false;
+  std::string plot, waveform;
+  int first = 20;  // periods drawn and written [-]
+  Column column = Column::own;
+};
+
+/// A state to start from, and what it is called.
+struct NamedState {
+  std::string name;
+  FlowState state;
+};
+
+/// What became of a start.
+struct Outcome {
+  std::string start;
+  FlowState from;
+  LongMotion motion;
+  std::optional<FoundOrbit> orbit = {};  ///< where it is periodic and its orbit is certified
+};
+
+/// One state per line, displacements and then velocities of all coordinates, at t = 0; "#" begins a comment.
+/// \throws UsageError that names the line
+std::vector<NamedState> states_of_file(const std::string& file, const EventFlow& flow,
+                                       const Problem& problem) {
+  std::vector<NamedState> states;
+  std::istringstream lines(read_file(file));
+  const int size = problem.size();
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<double> values;
+    for (std::string word; words >> word;) {
+      const std::optional<double> value = number_of<double>(word);
+      if (!value)
+        throw UsageError(fmt::format("from-state = {} (line {}: {} is no number)", file, number, word));
+      values.push_back(*value);
+    }
+    if (values.empty()) continue;
+    if (static_cast<int>(values.size()) != 2 * size) {
+      throw UsageError(
+          fmt::format("from-state = {} (line {} must hold {} numbers: {} displacements and as "
+                      "many velocities, not {})",
+                      file, number, 2 * size, size, values.size()));
+    }
+    const Eigen::Map<const Eigen::VectorXd> all(values.data(), 2L * size);
+    const State whole{.u = all.head(size), .v = all.tail(size)};
+    const Eigen::VectorXd x = contact_directions(problem).transpose() * whole.u;
+    states.push_back({fmt::format("line {}", number), flow.place(0.0, flow.dynamics().with_mass(whole, x))});
+  }
+  if (states.empty()) throw UsageError(fmt::format("from-state = {} (must hold a state)", file));
+  return states;
+}
+
+/// Rest or the states of a file, then random ones.
+std::vector<NamedState> starts_of(const MotionArguments& arguments, const EventFlow& flow,
+                                  const Problem& problem) {
+  std::vector<NamedState> states;
+  if (arguments.states.empty()) {
+    states.push_back({"rest", flow.place(0.0, flow.dynamics().at_rest())});
+  } else {
+    states = states_of_file(arguments.states, flow, problem);
+  }
+  for (int i = 0; i < arguments.starts; ++i) {
+    std::seed_seq seeds{arguments.seed, static_cast<unsigned>(i)};
+    std::mt19937_64 generator(seeds);
+    states.push_back({fmt::format("random state {}", i), random_state(flow, generator)});
+  }
+  return states;
+}
+
+/// The exact orbit of a periodic motion, where it is certified.
+std::optional<FoundOrbit> orbit_of(const Problem& problem, const LongMotion& motion,
+                                   const Deadline& deadline) {
+  if (motion.verdict != LongRun::periodic || problem.contacts.empty()) return std::nullopt;
+  CertifiedOrbit certified =
+      exact_orbits()(with_subharmonic(problem, motion.order), *motion.trajectory, {}, deadline);
+  if (!certified.motion) return std::nullopt;
+  FoundOrbit found = describe_orbit(problem, motion.order, std::move(certified));
+  found.starts = 1;
+  return found;
+}
+
+/// JSON has no infinite numbers: null.
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json estimate_json(const Estimate& estimate) {
+  return {{"value", number_json(estimate.value)}, {"error", number_json(estimate.error)}};
+}
+
+template <class T>
+Json optional_json(const std::optional<T>& value) {
+  if (!value) return {};
+  if constexpr (std::is_same_v<T, Estimate>) {
+    return estimate_json(*value);
+  } else {
+    return *value;
+  }
+}
+
+Json stop_json(const StopStatistics& stop) {
+  return {{"x_mean", estimate_json(stop.x_mean)},
+          {"x_rms", estimate_json(stop.x_rms)},
+          {"x_min", stop.x_min},
+          {"x_max", stop.x_max},
+          {"force_rms", optional_json(stop.force_rms)},
+          {"force_peak", optional_json(stop.force_peak)},
+          {"impulse_per_second", estimate_json(stop.impulse_per_second)},
+          {"impacts_per_second", estimate_json(stop.impacts_per_second)},
+          {"impulse_mean", optional_json(stop.impulse_mean)},
+          {"impulse_deviation", optional_json(stop.impulse_deviation)},
+          {"power", estimate_json(stop.power)}};
+}
+
+Json outcome_json(const Outcome& outcome) {
+  const LongMotion& motion = outcome.motion;
+  const bool repeats = motion.order > 0;
+  Json lyapunov = Json::array(), contacts = Json::array();
+  for (const Estimate& exponent : motion.lyapunov) lyapunov.push_back(estimate_json(exponent));
+  for (const StopStatistics& stop : motion.stops) contacts.push_back(stop_json(stop));
+  return {{"start", outcome.start},
+          {"verdict", name_of(motion.verdict)},
+          {"reason", motion.reason},
+          {"order", repeats ? Json(motion.order) : Json()},
+          {"orbit", outcome.orbit ? to_json(*outcome.orbit) : Json()},
+          {"settled_after", repeats ? Json(motion.settled_after) : Json()},
+          {"measured", motion.measured},
+          {"lyapunov", lyapunov},
+          {"contacts", contacts}};
+}
+
+/// The first start's, and all in `starts`.
+Json motion_json(const Problem& problem, const std::vector<Outcome>& outcomes) {
+  Json json{{"scene", problem.name}, {"forcing_period", problem.forcing_period()}};
+  const Json first = outcome_json(outcomes.front());
+  for (const auto& [key, value] : first.items())
+    if (key != "start") json[key] = value;
+  json["starts"] = Json::array();
+  for (const Outcome& outcome : outcomes) json["starts"].push_back(outcome_json(outcome));
+  return json;
+}
+
+std::string text_of(const Estimate& estimate) {
+  if (!std::isfinite(estimate.value)) return "-inf";
+  return fmt::format("{:.4g} +- {:.1g}", estimate.value, estimate.error);
+}
+
+/// A row for each contact.
+Table stop_table(const std::vector<StopStatistics>& stops) {
+  Table table{.header = {"contact", "x [m]", "force RMS [N]", "impacts [1/s]", "impulse [N s]", "power [W]"},
+              .rows = {}};
+  for (std::size_t j = 0; j < stops.size(); ++j) {
+    const StopStatistics& stop = stops[j];
+    table.rows.push_back({fmt::format("{}", j), fmt::format("{:.4g}..{:.4g}", stop.x_min, stop.x_max),
+                          stop.force_rms ? text_of(*stop.force_rms) : std::string("impulses"),
+                          text_of(stop.impacts_per_second),
+                          stop.impulse_mean ? fmt::format("{:.4g}", *stop.impulse_mean) : std::string("-"),
+                          text_of(stop.power)});
+  }
+  return table;
+}
+
+std::string headline(const Outcome& outcome) {
+  const LongMotion& motion = outcome.motion;
+  std::string text = fmt::format("from {}: {}", outcome.start, name_of(motion.verdict));
+  if (motion.order > 0)
+    text += fmt::format(", order {}, after {} forcing periods", motion.order, motion.settled_after);
+  if (outcome.orbit) text += fmt::format(", orbit {}", outcome.orbit->fingerprint);
+  if (!motion.reason.empty()) text += fmt::format(" ({})", motion.reason);
+  return text + "\n";
+}
+
+std::string details(const LongMotion& motion) {
+  std::vector<std::string> exponents;
+  for (const Estimate& exponent : motion.lyapunov) exponents.push_back(text_of(exponent));
+  std::string text;
+  if (!exponents.empty())
+    text = fmt::format("Lyapunov exponents [1/s]: {} (over {} forcing periods)\n", joined(exponents, ", "),
+                       motion.measured);
+  if (!motion.stops.empty()) text += to_columns(stop_table(motion.stops));
+  return text;
+}
+
+/// Instants, and x, x' and the force of each contact.
+void write_waveform(const std::string& file, const Trajectory& motion, int periods) {
+  constexpr int kPerPeriod = 256;
+  const int count = kPerPeriod * periods;
+  const Samples samples = motion.sample(count);
+  Table table{.header = {"t [s]"}, .rows = {}};
+  for (int j = 0; j < motion.contact_count(); ++j) {
+    for (const char* name : {"x{} [m]", "velocity{} [m/s]", "force{} [N]"})
+      table.header.push_back(fmt::format(fmt::runtime(name), j));
+  }
+  for (int i = 0; i < count; ++i) {
+    std::vector<Cell> row{fmt::format("{:.17g}", motion.period() * i / count)};
+    for (Eigen::Index j = 0; j < samples.x.cols(); ++j) {
+      for (const double value : {samples.x(i, j), samples.velocity(i, j), samples.force(i, j)})
+        row.emplace_back(fmt::format("{:.17g}", value));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  write_whole(file, to_csv(table));
+}
+
+void write_files(const MotionArguments& arguments, const Problem& problem, EventFlow& flow,
+                 const Outcome& first) {
+  if (arguments.plot.empty() && arguments.waveform.empty()) return;
+  const auto motion = first_periods(flow, first.from, arguments.first);
+  if (!arguments.waveform.empty()) write_waveform(arguments.waveform, *motion, arguments.first);
+  if (!arguments.plot.empty())
+    write_plot(arguments.plot, section_plot(problem, first.motion, *motion, arguments.column));
+}
+
+int tell_motion(const MotionArguments& arguments) {
+  const Scene scene = read_scene(find_scene(arguments.scene));
+  const Problem& problem = scene.problem;
+  if (const std::string obstacle = flow_obstacle(problem); !obstacle.empty())
+    throw UsageError(
+        fmt::format("scene = {} (must be one that is followed through time: {})", problem.name, obstacle));
+  watch_interrupts();
+  const Deadline deadline = Deadline::after(arguments.timeout);
+  const ContactDynamics dynamics(problem);
+  EventFlow flow(
+      dynamics, 1e-10, [&] { return deadline.passed() || interrupted(); }, Integrator::modal);
+  const std::vector<NamedState> starts = starts_of(arguments, flow, problem);
+  std::vector<Outcome> outcomes;
+  {
+    const Waiting waiting("following " + problem.name);
+    for (std::size_t i = 0; i < starts.size() && !interrupted(); ++i) {
+      const double share = deadline.left() / static_cast<double>(starts.size() - i);
+      const Deadline own = Deadline::after(std::max(0.0, share));
+      EventFlow own_flow(
+          dynamics, 1e-10, [&] { return own.passed() || interrupted(); }, Integrator::modal);
+      outcomes.push_back({starts[i].name, starts[i].state,
+                          follow_long_motion(own_flow, starts[i].state, arguments.options, own)});
+      outcomes.back().orbit = orbit_of(problem, outcomes.back().motion, Deadline::after(share));
+    }
+  }
+  if (interrupted() || outcomes.empty()) return kInterrupted;
+  if (arguments.json) {
+    fmt::print("{}\n", json_text(motion_json(problem, outcomes)));
+  } else {
+    for (const Outcome& outcome : outcomes) fmt::print("{}", headline(outcome));
+    fmt::print("{}", details(outcomes.front().motion));
+  }
+  EventFlow endless(
+      dynamics, 1e-10, [] { return interrupted(); }, Integrator::modal);
+  write_files(arguments, problem, endless, outcomes.front());
+  return outcomes.front().motion.verdict == LongRun::undecided ? kUnexpectedFailure : kDone;
+}
+
+}  // namespace
+
+void add_motion_command(const Command& program, int& exit_code) {
+  constexpr int kMostPeriods = 10'000'000, kMostOrder = 64, kMostExponents = 1000, kMostDrawn = 10000;
+  const Command command = program.command(
+      "motion",
+      "What a machine does in the long run, from rest or from given states: it settles to a periodic motion, "
+      "to a torus, or stays irregular; Lyapunov exponents, and what happens at the stops. Exit code 1 if "
+      "that "
+      "stays undecided.");
+  const auto arguments = std::make_shared<MotionArguments>();
+  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
+  command
+      .option("--from-state", arguments->states,
+              "a file of states to start from in place of rest, one per line: displacements, then velocities "
+              "of all coordinates, at t = 0")
+      .type_name("FILE");
+  command.option("--starts", arguments->starts, "random states to start from besides")
+      .range(0, kMostRandomStarts)
+      .shows_default();
+  command.option("--seed", arguments->seed, "of the random states").shows_default();
+  command
+      .option("--transient", arguments->options.transient,
+              "forcing periods in which the motion may settle, at most")
+      .range(1, kMostPeriods)
+      .shows_default();
+  command
+      .option("--periods", arguments->options.periods,
+              "forcing periods over which a motion that does not settle is measured, at most")
+      .range(1, kMostPeriods)
+      .shows_default();
+  command
+      .option("--max-order", arguments->options.max_order,
+              "forcing periods after which a periodic motion repeats, at most")
+      .range(1, kMostOrder)
+      .shows_default();
+  command.option("--exponents", arguments->options.exponents, "Lyapunov exponents, the largest ones, at most")
+      .range(1, kMostExponents)
+      .shows_default();
+  command.option("--timeout", arguments->timeout, "processor time of all starts [s]")
+      .check(positive_seconds)
+      .shows_default();
+  command.flag("--json", arguments->json, "print a JSON object; see docs/records.md");
+  command
+      .option(
+          "--waveform", arguments->waveform,
+          "write x, velocity and force over the first periods of the first start as comma separated values")
+      .type_name("FILE");
+  command.option("--first", arguments->first, "periods that --waveform writes and --plot draws")
+      .range(1, kMostDrawn)
+      .shows_default();
+  add_plot_option(command, arguments->plot,
+                  "the first periods of the first start, and its stroboscopic section");
+  add_column_option(command, arguments->column, "the picture");
+  command.on_run([arguments, &exit_code] { exit_code = tell_motion(*arguments); });
+}
+
+}  // namespace signorini

@@ -1,0 +1,269 @@
+#include "harness/motion/long_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "harness/motion/lyapunov.hpp"
+#include "methods/flow/event_trajectory.hpp"
+#include "methods/periodic_motion/period_map.hpp"
+#include "methods/periodic_motion/periodic_motion.hpp"
+#include "methods/solvers/constants.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double kTolerance = 1e-10;  // of the flow's events [-]
+constexpr double kStill = 1e-9;       // of the scales: no motion [-]
+
+/// Whether sizes at the ends of parts, each twice as long as the one before, have grown to the last.
+bool keeps_growing(std::span<const double> sizes) {
+  constexpr std::size_t kParts = 4;
+  constexpr double kGrowth = 1.5, kLarge = 10.0;
+  if (sizes.size() < kParts || !(sizes.back() > kLarge)) return false;
+  const std::span<const double> last = sizes.last(kParts);
+  return std::ranges::adjacent_find(
+             last, [](double before, double after) { return !(after > kGrowth * before); }) == last.end();
+}
+
+/// Forcing periods in which the slowest mode without contact fades to its e-th part; 0 where one does not
+/// fade.
+double periods_to_fade(const ContactDynamics& dynamics) {
+  constexpr double kUndamped = 1e-13;  // of the fastest rate
+  const std::vector<bool> open(static_cast<std::size_t>(dynamics.contact_count()), false);
+  const Eigen::VectorXcd rates = general_eigenvalues(dynamics.flow_matrix(dynamics.mode(open)));
+  const double slowest = -rates.real().maxCoeff();
+  if (!(slowest > kUndamped * rates.cwiseAbs().maxCoeff())) return 0.0;
+  return 1.0 / (slowest * dynamics.structure().forcing_period);
+}
+
+/// log |multiplier| / period, largest first. \param monodromy  over the period
+std::vector<double> exponents_of(const Eigen::MatrixXd& monodromy, double period) {
+  std::vector<double> all;
+  for (const std::complex<double>& multiplier : general_eigenvalues(monodromy))
+    all.push_back(std::log(std::abs(multiplier)) / period);
+  std::ranges::sort(all, std::greater<>());
+  return all;
+}
+
+class LongMotionFollower {
+ public:
+  LongMotionFollower(EventFlow& flow, FlowState start, const LongMotionOptions& options,
+                     const Deadline& deadline)
+      : map_(flow), state_(std::move(start)), options_(options), deadline_(deadline) {}
+
+  LongMotion run() {
+    try {
+      if (const std::optional<FixedPoint> orbit = settle()) {
+        measure_orbit(*orbit);
+      } else if (!keeps_growing(sizes_)) {
+        measure();
+      }
+    } catch (const std::exception& error) {
+      result_.reason = error.what();
+    }
+    if (result_.verdict == LongRun::undecided && keeps_growing(sizes_)) tell_growth();
+    return std::move(result_);
+  }
+
+ private:
+  /// The stable periodic motion that is reached, if one is. Parts of the transient are each twice as long as
+  /// the one before.
+  std::optional<FixedPoint> settle() {
+    constexpr int kFirst = 16;
+    constexpr double kShare = 0.4;  // of the time, at most
+    const double until = (1.0 - kShare) * deadline_.left();
+    const PeriodicMotionOptions options{
+        .tolerance = kTolerance, .integrator = Integrator::modal, .max_order = options_.max_order};
+    const std::function<bool()> expired = [this] { return deadline_.passed(); };
+    int part = kFirst;
+    for (int marched = 0; marched < options_.transient; marched += part, part *= 2) {
+      PeriodicMotionOptions limited = options;
+      limited.max_iterations = std::min(part, options_.transient - marched);
+      FixedPoint found = march(map_, state_, limited, expired);
+      state_ = found.start;
+      if (found.converged) {
+        result_.settled_after = map_.periods();
+        return found;
+      }
+      sizes_.push_back(map_.scaled(state_.state).lpNorm<Eigen::Infinity>());
+      if (deadline_.left() < until) break;
+    }
+    return std::nullopt;
+  }
+
+  /// Stops give no energy: where dampers take it from every mode, no motion is unbounded.
+  void tell_growth() {
+    const double fading = periods_to_fade(map_.flow().dynamics());
+    result_.reason =
+        fmt::format("after {} periods the state is {:.3g} times the scale of the motion, and grows",
+                    map_.periods(), sizes_.back());
+    if (fading > 0.0) {
+      result_.reason += fmt::format("; it ends, for its slowest mode fades in {:.2g} periods", fading);
+    } else {
+      result_.verdict = LongRun::unbounded;
+    }
+  }
+
+  /// Two turns of a periodic motion: what they differ by is the error of either.
+  void measure_orbit(const FixedPoint& orbit) {
+    const double period = orbit.order * map_.forcing_period();
+    StopSums sums(map_.flow().dynamics().contact_count());
+    FlowRecord turns[2];
+    FlowState state = orbit.start;
+    for (int n = 0; n < orbit.order; ++n) {
+      FlowRecord unused;
+      note_section(state);
+      map_.apply(state, 1, unused);
+    }
+    state = orbit.start;
+    for (FlowRecord& turn : turns) {
+      turn.dense = turn.tangent = true;
+      map_.apply(state, orbit.order, turn);
+      sums.take(turn, period);
+    }
+    result_.order = orbit.order;
+    result_.measured = 2L * orbit.order;
+    result_.stops = sums.statistics();
+    if (turns[0].order_matters) {
+      result_.reason = "no Lyapunov exponents: simultaneous impacts feel each other";
+    } else {
+      const std::vector<double> one = exponents_of(turns[0].derivative, period),
+                                other = exponents_of(turns[1].derivative, period);
+      for (std::size_t i = 0; i < std::min(one.size(), static_cast<std::size_t>(options_.exponents)); ++i) {
+        const double difference = std::abs(one[i] - other[i]);
+        result_.lyapunov.push_back({.value = one[i], .error = std::isfinite(difference) ? difference : 0.0});
+      }
+    }
+    result_.trajectory = std::make_shared<EventTrajectory>(period, orbit.start, std::move(turns[0].nodes),
+                                                           std::move(turns[0].events));
+    result_.verdict = is_still(orbit) ? LongRun::at_rest : LongRun::periodic;
+  }
+
+  [[nodiscard]] bool is_still(const FixedPoint& orbit) const {
+    const Eigen::VectorXd scaled = map_.scaled(orbit.start.state);
+    const double length = map_.flow().dynamics().scales().displacement;
+    return scaled.tail(orbit.start.state.v.size()).lpNorm<Eigen::Infinity>() <= kStill &&
+           std::ranges::all_of(result_.stops, [length](const StopStatistics& stop) {
+             return stop.x_max - stop.x_min <= kStill * length;
+           });
+  }
+
+  void measure() {
+    const ContactDynamics& dynamics = map_.flow().dynamics();
+    const double period = map_.forcing_period();
+    LyapunovSum deviations(dynamics.states(), options_.exponents);
+    StopSums sums(dynamics.contact_count());
+    bool order_matters = false;
+    for (; result_.measured < options_.periods; ++result_.measured) {
+      FlowRecord record;
+      record.dense = record.tangent = true;
+      record.derivative = deviations.frame();
+      const FlowState before = state_;
+      try {
+        map_.apply(state_, 1, record);
+      } catch (const FlowError&) {
+        if (!deadline_.passed()) throw;
+        state_ = before;
+        break;
+      }
+      note_section(before);
+      deviations.take(record.derivative);
+      sums.take(record, period);
+      order_matters = order_matters || record.order_matters;
+    }
+    if (result_.measured > 0) result_.stops = sums.statistics();
+    if (order_matters) {
+      result_.reason = "simultaneous impacts feel each other: small deviations have no derivative";
+    } else {
+      decide(deviations);
+    }
+  }
+
+  void decide(const LyapunovSum& deviations) {
+    constexpr std::size_t kLeastSteps = 100;
+    constexpr double kTorusError = 5e-3;  // per period
+    constexpr double kFaded = 3.0;        // times that in which a mode fades: it has settled
+    constexpr double kGrown = 20.0;       // logarithm of the growth of a deviation over the whole time
+    if (deviations.steps() < kLeastSteps) {
+      result_.reason = fmt::format("not periodic, and only {} periods could be measured", result_.measured);
+      return;
+    }
+    result_.lyapunov = deviations.exponents();
+    const Estimate largest = result_.lyapunov.front();
+    for (Estimate& exponent : result_.lyapunov) {
+      exponent.value /= map_.forcing_period();
+      exponent.error /= map_.forcing_period();
+    }
+    if (largest.value > largest.error && largest.value * static_cast<double>(deviations.steps()) > kGrown) {
+      result_.verdict = LongRun::irregular;
+    } else if (largest.value < -largest.error - kTorusError) {
+      result_.reason = fmt::format(
+          "small deviations fade, but no period of at most {} is seen: it settles "
+          "slowly, or repeats after more periods",
+          options_.max_order);
+    } else if (const double fading = periods_to_fade(map_.flow().dynamics());
+               kFaded * fading > static_cast<double>(map_.periods())) {
+      result_.reason =
+          fmt::format("the slowest mode fades in {:.2g} periods: the motion may still settle", fading);
+    } else if (largest.error <= kTorusError) {
+      result_.verdict = LongRun::quasi_periodic;
+    } else {
+      result_.reason = "the sign of the largest Lyapunov exponent is within its error: more periods decide";
+    }
+  }
+
+  /// The displacement and the velocity of each contact at the beginning of a period.
+  void note_section(const FlowState& at) {
+    const ContactDynamics& dynamics = map_.flow().dynamics();
+    const MotionDerivatives motion = dynamics.derivatives(dynamics.mode(at.closed), at.time, at.state, 3);
+    std::vector<double> row;
+    for (Eigen::Index j = 0; j < motion.x.rows(); ++j) {
+      row.push_back(motion.x(j, 0));
+      row.push_back(motion.x(j, 1));
+    }
+    result_.section.push_back(std::move(row));
+  }
+
+  PeriodMap map_;
+  FlowState state_;
+  const LongMotionOptions& options_;
+  const Deadline& deadline_;
+  std::vector<double> sizes_;  // of the state at the end of each part of the transient, in scales [-]
+  LongMotion result_;
+};
+
+}  // namespace
+
+std::string_view name_of(LongRun verdict) {
+  constexpr std::array<std::string_view, 6> kNames{"periodic", "quasi-periodic", "irregular",
+                                                   "at rest",  "unbounded",      "undecided"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+LongMotion follow_long_motion(EventFlow& flow, const FlowState& start, const LongMotionOptions& options,
+                              const Deadline& deadline) {
+  return LongMotionFollower(flow, start, options, deadline).run();
+}
+
+std::shared_ptr<const Trajectory> first_periods(EventFlow& flow, const FlowState& start, int periods) {
+  PeriodMap map(flow);
+  FlowState state = start;
+  FlowRecord record;
+  record.dense = true;
+  map.apply(state, periods, record);
+  return std::make_shared<EventTrajectory>(periods * map.forcing_period(), start, std::move(record.nodes),
+                                           std::move(record.events));
+}
+
+}  // namespace signorini

@@ -1,0 +1,128 @@
+#include "harness/motion/long_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "harness/orbits/orbit_candidate.hpp"
+#include "methods/linear_flow/contact_dynamics.hpp"
+#include "problems/scene/scene_file.hpp"
+
+namespace signorini::long_motion_test {
+namespace {
+
+Problem oscillator(const std::string& rest) {
+  return parse_scene("schema = 1\nname = \"one\"\n" + rest, "one");
+}
+
+struct Followed {
+  LongMotion motion;
+  double period;
+};
+
+Followed follow(const Problem& problem, const LongMotionOptions& options = {}, State from = {}) {
+  const ContactDynamics dynamics(problem);
+  const Deadline endless;
+  EventFlow flow(
+      dynamics, 1e-10, [] { return false; }, Integrator::modal);
+  if (from.u.size() == 0) from = dynamics.at_rest();
+  return {follow_long_motion(flow, flow.place(0.0, from), options, endless), problem.forcing_period()};
+}
+
+// Impacts at the origin with e = 0.9: between impacts volumes shrink at the rate c / m, at each by e^2, so
+// that the exponents sum to -c / m + 2 log(e) times the impacts per second, whatever the motion.
+TEST(LongMotion, ExponentsOfChaosSumToTheContractionOfVolumes) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 1.0, damping = 0.1, stiffness = 1.0 }
+forcing = { frequency = 0.6, term = [{ dof = 0, cos = 1.0 }] }
+contact = [{ dof = 0, gap = 0.0 }]
+law = { restitution = 0.9 })"),
+             {.periods = 2000});
+  const LongMotion& motion = found.motion;
+  EXPECT_EQ(motion.verdict, LongRun::irregular) << motion.reason;
+  ASSERT_EQ(motion.lyapunov.size(), 2U);
+  EXPECT_GT(motion.lyapunov[0].value, 5.0 * motion.lyapunov[0].error);
+  const StopStatistics& stop = motion.stops.front();
+  const double sum = motion.lyapunov[0].value + motion.lyapunov[1].value;
+  EXPECT_NEAR(sum, -0.1 + 2.0 * std::log(0.9) * stop.impacts_per_second.value, 1e-3);
+  // What the stop takes is what the load gives less what the damper takes: positive, and known as a loss of
+  // (1 - e) / (2 (1 + e)) J^2 / m at each impact.
+  const double square = std::pow(*stop.impulse_mean, 2) + std::pow(*stop.impulse_deviation, 2);
+  EXPECT_NEAR(stop.power.value, 0.05 / 1.9 * square * stop.impacts_per_second.value, 1e-9);
+}
+
+// sdof-stop: the multipliers are a pair of modulus 0.866928 (docs/theory.md).
+TEST(LongMotion, ExponentsOfAnOrbitAreThoseOfItsMultipliers) {
+  const Followed found = follow(read_scene(find_scene("sdof-stop")).problem);
+  EXPECT_EQ(found.motion.verdict, LongRun::periodic) << found.motion.reason;
+  EXPECT_EQ(found.motion.order, 1);
+  EXPECT_NEAR(found.motion.lyapunov.front().value, std::log(0.866928) / found.period, 1e-6);
+  ASSERT_TRUE(found.motion.trajectory);
+  EXPECT_DOUBLE_EQ(found.motion.trajectory->period(), found.period);
+}
+
+// Two masses and a spring stop (NLvib, example 03) past the Neimark-Sacker point at 0.61860687 rad/s: one of
+// few random states goes to the torus, others to a motion of order 4.
+TEST(LongMotion, ATorusHasTheExponentZero) {
+  const Problem problem = oscillator(
+      R"(system = { kind = "chain", masses = [1.0, 1.0], dampers = [0.03, 0.03], springs = [1.0, 1.0] }
+forcing = { frequency = 0.61858, term = [{ dof = 0, cos = 0.1 }] }
+contact = [{ dof = 1, gap = 1.0 }]
+law = { penalty = 100.0 })");
+  const ContactDynamics dynamics(problem);
+  EventFlow flow(
+      dynamics, 1e-10, [] { return false; }, Integrator::modal);
+  std::seed_seq seeds{1U, 2U};
+  std::mt19937_64 generator(seeds);
+  const FlowState start = random_state(flow, generator);
+  const LongMotion found = follow_long_motion(flow, start, {.periods = 3000}, Deadline());
+  EXPECT_EQ(found.verdict, LongRun::quasi_periodic) << found.reason << found.order;
+  EXPECT_NEAR(found.lyapunov[0].value, 0.0, found.lyapunov[0].error + 1e-4);
+}
+
+TEST(LongMotion, ComesToRestWithoutALoad) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 1.0, damping = 0.3, stiffness = 1.0 }
+forcing = { frequency = 1.0 }
+contact = [{ dof = 0, gap = 0.5 }]
+law = { restitution = 0.5 })"),
+             {}, {.u = Eigen::VectorXd::Constant(1, -2.0), .v = Eigen::VectorXd::Zero(1)});
+  EXPECT_EQ(found.motion.verdict, LongRun::at_rest) << found.motion.reason;
+}
+
+// At its undamped eigenfrequency the amplitude grows by pi F / k each period.
+TEST(LongMotion, IsUnboundedAtAnUndampedResonance) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 1.0, damping = 0.0, stiffness = 1.0 }
+forcing = { frequency = 1.0, term = [{ dof = 0, cos = 1.0 }] }
+)"));
+  EXPECT_EQ(found.motion.verdict, LongRun::unbounded) << found.motion.reason;
+}
+
+// With so little damping that the amplitude grows for 1e5 periods: it is bounded by F / (c omega).
+TEST(LongMotion, IsUndecidedWhereItStillGrowsToABound) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 1.0, damping = 3e-6, stiffness = 1.0 }
+forcing = { frequency = 1.0, term = [{ dof = 0, cos = 1.0 }] }
+contact = [{ dof = 0, gap = 1.0 }]
+law = { penalty = 1e-9 })"));
+  EXPECT_EQ(found.motion.verdict, LongRun::undecided);
+  EXPECT_NE(found.motion.reason.find("slowest mode fades in 1.1e+05 periods"), std::string::npos)
+      << found.motion.reason;
+}
+
+TEST(LongMotion, IsUndecidedWhereItIsFollowedForTooShort) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 1.0, damping = 0.1, stiffness = 1.0 }
+forcing = { frequency = 0.6, term = [{ dof = 0, cos = 1.0 }] }
+contact = [{ dof = 0, gap = 0.0 }]
+law = { restitution = 0.9 })"),
+             {.transient = 50, .periods = 20});
+  EXPECT_EQ(found.motion.verdict, LongRun::undecided);
+  EXPECT_NE(found.motion.reason.find("20 periods"), std::string::npos) << found.motion.reason;
+}
+
+}  // namespace
+}  // namespace signorini::long_motion_test
