@@ -87,7 +87,7 @@ double exact_amplitude(const Problem& problem, const Trajectory& motion) {
   return largest;
 }
 
-void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options) {
+void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options, const std::string& scene) {
   int failed = 0;
   for (const auto& [reason, count] : found.failures) failed += count;
   fmt::print(stderr, "{} starts, {} of them without a certified orbit\n", found.searches, failed);
@@ -96,6 +96,12 @@ void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options) 
   if (found.expired)
     fmt::print(stderr, "the time limit of {:g} s cut the search short: there may be more\n", options.timeout);
   if (found.interrupted) fmt::print(stderr, "interrupted: there may be more\n");
+  if (std::ranges::none_of(found.orbits,
+                           [](const FoundOrbit& orbit) { return orbit.certified.stable == true; }))
+    fmt::print(stderr,
+               "no stable motion of order <= {} was found among {} starts: signorini motion {} tells what "
+               "happens instead\n",
+               options.subharmonics, found.searches, scene);
 }
 
 int list_orbits(const OrbitsArguments& arguments) {
@@ -116,7 +122,7 @@ int list_orbits(const OrbitsArguments& arguments) {
   } else if (!found.orbits.empty()) {
     fmt::print("{}{}", to_columns(orbit_table(found.orbits)), orbit_notes(found.orbits));
   }
-  print_remarks(found, options);
+  print_remarks(found, options, arguments.scene);
   if (!arguments.plot.empty() && !found.orbits.empty())
     write_plot(arguments.plot, orbit_plot(scene.problem, found.orbits, arguments.column));
   if (found.interrupted) return kInterrupted;

@@ -46,6 +46,10 @@ TEST(CommandOrbits, ExitsWithOneWhereNoOrbitIsFound) {
   const Outcome outcome = run("orbits sdof-stop --starts 0 --timeout 1e-9");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.err.find("no certified orbit"), std::string::npos) << outcome.err;
+  EXPECT_NE(
+      outcome.err.find("no stable motion of order <= 3 was found among 0 starts: signorini motion sdof-stop"),
+      std::string::npos)
+      << outcome.err;
 }
 
 }  // namespace
