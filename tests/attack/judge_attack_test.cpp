@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -57,6 +58,7 @@ struct Truth {
   std::shared_ptr<const Trajectory> orbit = {};
 
   [[nodiscard]] bool has_impulses() const { return !orbit->impulses().empty(); }
+  [[nodiscard]] bool has_contact() const { return has_impulses() || has_force(); }
   [[nodiscard]] bool has_force() const { return orbit->sample(1024).force.cwiseAbs().maxCoeff() > 0.0; }
 };
 
@@ -198,7 +200,12 @@ std::vector<Lie> lies_about_the_force(const Truth& truth) {
   Told invented = with_parts(truth, 1.0, 0.24, 0.5);
   invented->told_events = impacts_of(invented->told_impulses);
   if (truth.has_impulses()) lies.push_back({"an event that did not happen", invented});
-  if (truth.has_force() && !truth.has_impulses()) lies.push_back({"chopped", with_chopped_force(truth, 40)});
+  if (truth.has_force() && !truth.has_impulses()) {
+    for (const int times : {5, 12, 40}) {
+      lies.push_back({"chopped", with_chopped_force(truth, times)});
+      lies.push_back({"chopped, ten harmonics", with_bandwidth(with_chopped_force(truth, times), 10)});
+    }
+  }
   return lies;
 }
 
@@ -324,6 +331,22 @@ std::vector<std::string> moving_scenes() {
   return scenes;
 }
 
+/// Of the searches at length: those, larger structures and springs, or the files of a folder
+/// SIGNORINI_ATTACKED_SCENES, such as population.py writes.
+std::vector<std::string> scenes_at_length() {
+  std::vector<std::string> scenes = moving_scenes();
+  if (const char* folder = std::getenv("SIGNORINI_ATTACKED_SCENES")) {
+    scenes.clear();
+    for (const auto& file : std::filesystem::directory_iterator(folder)) scenes.push_back(file.path());
+    std::ranges::sort(scenes);
+    return scenes;
+  }
+  for (const char* const more : {"chain2-penalty", "rotor-12-facets", "beam20-three-stops",
+                                 "beam10-tip-stop", "block-nine-contacts"})
+    scenes.emplace_back(more);
+  return scenes;
+}
+
 TEST(Judge, TakesNoGrossLie) {
   for (const std::string& scene : moving_scenes()) {
     const Truth truth = truth_of(scene);
@@ -334,11 +357,11 @@ TEST(Judge, TakesNoGrossLie) {
 
 /// What becomes of lies that the harness searches the orbit of, as it does of any answer.
 struct Count {
-  int certified = 0;
+  int told = 0, certified = 0;
   int false_claims = 0, refuted = 0;  // farther than kNearOrbit from the truth, and those found wrong
 
   void add(const Truth& truth, const Lie& lie, const OrbitTools& tools) {
-    constexpr std::chrono::seconds kTime(20);
+    constexpr double kSeconds = 20.0;
     const SampledAnswer answer = sample_answer(truth.problem, *lie.motion);
     const RepresentedLaw law =
         std::visit([](const auto& own) -> RepresentedLaw { return own; }, truth.problem.law);
@@ -347,40 +370,44 @@ struct Count {
     record.law = law;
     record.physics = measure_physics(truth.problem, law, answer.motion);
     record.certificate =
-        certify(truth.problem, lie.motion, answer.motion, {}, tools, std::chrono::steady_clock::now() + kTime)
-            .certificate;
+        certify(truth.problem, lie.motion, answer.motion, {}, tools, Deadline::after(kSeconds)).certificate;
     apply_verdict(record);
     const std::optional<Claim> claim = claim_of(record);
+    ++told;
     certified += claim == Claim::certified ? 1 : 0;
-    if (claim == Claim::certified) std::cout << truth.name << ": " << lie.name << ": certified\n";
+    if (claim == Claim::certified) std::cout << truth.name << ": " << lie.name << ": certified" << std::endl;
     const Motion orbit = sample_motion(truth.problem, *truth.orbit);
     if (!(distance(answer.motion, orbit).x_l2.value_or(1.0) > kNearOrbit)) return;
     ++false_claims;
     refuted += claim == Claim::refuted ? 1 : 0;
     if (claim != Claim::refuted)
-      std::cout << truth.name << ": " << lie.name << ": " << record.certificate.reason << "\n";
+      std::cout << truth.name << ": " << lie.name << ": " << record.certificate.reason << std::endl;
   }
 };
 
 TEST(JudgeAtLength, CertifiesNoLieAboutTheForce) {
   const OrbitTools tools = orbit_tools();
   Count count;
-  for (const std::string& scene : all_scenes()) {
+  for (const std::string& scene : scenes_at_length()) {
     const Truth truth = truth_of(scene);
+    if (!truth.orbit || !truth.has_contact()) continue;
     for (const Lie& lie : lies_about_the_force(truth)) count.add(truth, lie, tools);
   }
-  EXPECT_EQ(count.certified, 0);
+  EXPECT_EQ(count.certified, 0) << "of " << count.told;
 }
 
 TEST(JudgeAtLength, CertifiesNoGrossLieAndRefutesMost) {
   const OrbitTools tools = orbit_tools();
   Count count;
-  for (const std::string& scene : moving_scenes()) {
+  for (const std::string& scene : scenes_at_length()) {
     const Truth truth = truth_of(scene);
+    if (!truth.orbit || !truth.has_contact()) continue;
     for (const Lie& lie : gross_lies(truth)) count.add(truth, lie, tools);
   }
+  std::cout << count.told << " lies, " << count.false_claims << " far from the truth, " << count.refuted
+            << " of them refuted\n";
   EXPECT_EQ(count.certified, 0);
-  constexpr double kRefuted = 0.8;
+  constexpr double kRefuted = 0.95;
   EXPECT_GE(count.refuted, kRefuted * count.false_claims) << count.refuted << " of " << count.false_claims;
   EXPECT_GE(count.false_claims, 50);
 }

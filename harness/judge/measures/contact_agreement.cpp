@@ -163,7 +163,10 @@ std::string force_difference(const Motion& answer, const Motion& orbit, const To
   // What the resolution, or an error of x, leaves open is no difference: a force that makes x wrong by a
   // share of it is late by a third of as many periods.
   const double off = std::max(kOpen * moved, kLeastShown);
-  const double open = std::max(shown_apart(answer, orbit), off * orbit.forcing_period);
+  double coarse = shown_apart(answer, orbit);
+  if (const std::optional<int> told = harmonics_of_force(answer))  // though it may call itself coarser
+    coarse = std::min(coarse, 0.5 * answer.period() / std::max(1, *told));
+  const double open = std::max(coarse, off * orbit.forcing_period);
   const Measure sharp = force_error_up_to(std::max(1.0, 0.5 * orbit.forcing_period / open), answer, orbit);
   if (sharp && *sharp > kSharpForce)
     return fmt::format("the contact force is off by {:.2g} at instants that it shows", *sharp);

@@ -26,7 +26,8 @@ struct ContactDifference {
 /// - that of none is off by more than 0.06 of the largest and four times the error of x, at most 0.15
 ///   (`ForceErrors`)
 /// - the force is off by at most half in harmonics whose half waves are longer than what counts as one push
-///   below, than 1/256 forcing period, and than twice the error of x in forcing periods (`force_error_up_to`)
+///   below or, where the answer's samples of the force show more, than these (`harmonics_of_force`), than
+///   1/256 forcing period, and than twice the error of x in forcing periods (`force_error_up_to`)
 /// - under Newton's law the strong impacts that the answer lists show a coefficient of restitution within 0.1
 /// - a contact that touches clearly pushes throughout in both or in none, breaks that count as one push aside
 /// - at every contact, phases whose impulse is at least 25 % of the largest one's in one motion are no more

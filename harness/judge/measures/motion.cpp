@@ -118,21 +118,28 @@ double scene_length(const Problem& problem, const ContactSpace* space) {
   return size > 0.0 ? size : pressed_length(problem);
 }
 
-/// Harmonics of x that leave out no more than a ten-thousandth of its size.
-int shown_harmonics(const Motion& motion) {
-  constexpr double kLeftOut = 1e-4;
-  RealFft fft(motion.count());
+/// Harmonics of samples that leave out no more than a share of their size.
+int harmonics_within(double left_out, const Eigen::MatrixXd& samples) {
+  RealFft fft(static_cast<int>(samples.rows()));
   Eigen::VectorXcd spectrum(fft.coefficients());
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(spectrum.size());
-  for (const auto& x : motion.samples.x.colwise()) {
-    fft.forward(x, spectrum);
+  for (const auto& column : samples.colwise()) {
+    fft.forward(column, spectrum);
     squares += spectrum.cwiseAbs2();
   }
-  squares[0] = 0.0;
-  const double most = kLeftOut * kLeftOut * squares.sum();
+  squares[0] *= 0.5;
+  const double most = left_out * left_out * squares.sum();
   Eigen::Index last = squares.size() - 1;
   for (double beyond = 0.0; last > 0 && (beyond += squares[last]) <= most;) --last;
   return static_cast<int>(last);
+}
+
+/// Motion::shown.
+int shown_harmonics(const Motion& motion) {
+  constexpr double kLeftOut = 1e-4;
+  const Eigen::MatrixXd& x = motion.samples.x;
+  return std::max(harmonics_within(kLeftOut, x.rowwise() - x.colwise().mean()),
+                  harmonics_of_force(motion).value_or(0));
 }
 
 // `count` instants of a motion. Where it is a grid of more nodes than that, an instant has the impulse of the
@@ -214,6 +221,12 @@ Motion thinned(const Motion& motion, int step) {
   return result;
 }
 
+std::optional<int> harmonics_of_force(const Motion& motion) {
+  constexpr double kLeftOut = 0.5;
+  if (!motion.bandwidth || motion.nodes || motion.force_coefficients.size() > 0) return std::nullopt;
+  return harmonics_within(kLeftOut, motion.samples.force);
+}
+
 std::optional<int> resolved_harmonics(const Motion& motion) {
   return motion.bandwidth ? std::optional(std::max(*motion.bandwidth, motion.shown)) : std::nullopt;
 }
@@ -230,7 +243,7 @@ Eigen::MatrixXcd contact_force_spectrum(const Motion& motion, int count) {
 }
 
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics) {
-  const int harmonics = std::max(std::min(motion.bandwidth.value_or(max_harmonics), max_harmonics),
+  const int harmonics = std::max(std::min(resolved_harmonics(motion).value_or(max_harmonics), max_harmonics),
                                  motion.order * highest_load_harmonic(problem));
   return {.order = motion.order,
           .base_frequency = kTwoPi / motion.period(),

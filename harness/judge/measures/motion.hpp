@@ -32,8 +32,8 @@ struct Motion {
   std::optional<std::vector<ContactEvent>> events = {};  ///< as Trajectory::events
   std::optional<int> nodes = {};                         ///< as Trajectory::nodes
   std::optional<int> bandwidth = {};                     ///< as Trajectory::bandwidth
-  /// Harmonics of the period in which x has all but 1e-4 of its size, of an answer with a bandwidth that is
-  /// no grid; else 0: see resolved_harmonics.
+  /// Harmonics of the period in which x has all but 1e-4 of its size, no fewer than `harmonics_of_force`, of
+  /// an answer with a bandwidth that is no grid; else 0: see resolved_harmonics.
   int shown = 0;
   /// As Trajectory::force_coefficients, and of exact orbits in closed form 512 per forcing period [N].
   Eigen::MatrixXcd force_coefficients = {};
@@ -74,12 +74,16 @@ SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer);
 /// Every `step`-th instant of a motion; `step` divides their number per forcing period.
 Motion thinned(const Motion& motion, int step);
 
-/// The contact force in harmonics of the motion's period: up to its bandwidth where it has one, to
-/// `max_harmonics` otherwise, never more but for harmonics of the load.
+/// The contact force in harmonics of the motion's period: as many as it resolves, at most `max_harmonics` but
+/// for harmonics of the load.
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics);
 
-/// Harmonics of the period that a motion resolves: its bandwidth, but no fewer than its x shows, so that
-/// saying less than is there buys nothing. Empty: all of them.
+/// Harmonics of the period in which the samples of the force have all but half of their size, of an answer
+/// with a bandwidth that is no grid and that tells the force by samples alone; else empty.
+std::optional<int> harmonics_of_force(const Motion& motion);
+
+/// Harmonics of the period that a motion resolves: its bandwidth, but no fewer than its x and the samples of
+/// its force show (Motion::shown), so that saying less than is there buys nothing. Empty: all of them.
 std::optional<int> resolved_harmonics(const Motion& motion);
 
 /// Fourier coefficients n = 0..count of the contact force, impulses included, in harmonics of the motion's
