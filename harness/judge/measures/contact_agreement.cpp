@@ -193,14 +193,16 @@ std::optional<double> listed_restitution(const Motion& motion, int offset) {
   return before > 0.0 ? std::optional(-after / before) : std::nullopt;
 }
 
-/// Whether the strong impacts of a motion show another coefficient of restitution than the law has, at every
+/// Whether the strong impacts of an answer show another coefficient of restitution than the law has, at every
 /// distance from them at which samples tell the speeds: near by those of few instants do not, far away those
-/// of stiff structures.
-std::string restitution_difference(const Motion& motion, double restitution) {
+/// of stiff structures, and none where impacts follow each other too soon, as samples of the orbit show.
+std::string restitution_difference(const Motion& answer, const Motion& orbit, double restitution) {
   constexpr std::array kOffsets{1, 4, 16, 64};  // steps
   std::optional<double> nearest;
   for (const int offset : kOffsets) {
-    const std::optional<double> found = listed_restitution(motion, offset);
+    const std::optional<double> exact = listed_restitution(orbit, offset);
+    if (!exact || std::abs(*exact - restitution) > 0.5 * kRestitution) continue;
+    const std::optional<double> found = listed_restitution(answer, offset);
     if (found && (!nearest || std::abs(*found - restitution) < std::abs(*nearest - restitution)))
       nearest = found;
   }
@@ -240,7 +242,8 @@ ContactDifference contact_difference(const Problem& problem, const Motion& answe
       !text.empty())
     return {.text = text};
   const auto* restitution = std::get_if<Restitution>(&problem.law);
-  return {.text = restitution == nullptr ? std::string() : restitution_difference(answer, restitution->e)};
+  return {.text =
+              restitution == nullptr ? std::string() : restitution_difference(answer, orbit, restitution->e)};
 }
 
 }  // namespace signorini

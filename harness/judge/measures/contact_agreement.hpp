@@ -28,7 +28,9 @@ struct ContactDifference {
 /// - the force is off by at most half in harmonics whose half waves are longer than what counts as one push
 ///   below or, where the answer's samples of the force show more, than these (`harmonics_of_force`), than
 ///   1/256 forcing period, and than twice the error of x in forcing periods (`force_error_up_to`)
-/// - under Newton's law the strong impacts that the answer lists show a coefficient of restitution within 0.1
+/// - under Newton's law the strong impacts that the answer lists show a coefficient of restitution within
+/// 0.1,
+///   as far from them as the orbit's own samples show the law's
 /// - a contact that touches clearly pushes throughout in both or in none, breaks that count as one push aside
 /// - at every contact, phases whose impulse is at least 25 % of the largest one's in one motion are no more
 ///   than the phases of at least 5 % in the other, per common period; phases closer than six times the
