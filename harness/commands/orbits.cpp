@@ -143,7 +143,9 @@ void add_search_options(const Command& command, OrbitSearchOptions& options,
               "search periods of 1 to this many forcing periods; if absent 3, or the scene's own if more")
       .range(1, 64);
   command.option("--seed", options.seed, "of the random states").shows_default();
-  command.option("--timeout", options.timeout, "wall time of the search of one scene [s]")
+  command
+      .option("--timeout", options.timeout,
+              "processor time of the search of one scene, its two processes together [s]")
       .check(positive_seconds)
       .shows_default();
 }

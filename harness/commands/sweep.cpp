@@ -165,7 +165,7 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
   MethodResponse response = blank_response(arguments, scene, method);
   CurveLimits limits = arguments.branches;
   limits.at = values;
-  limits.deadline = Deadline::after_wall(arguments.total_time);
+  limits.deadline = Deadline::after(arguments.total_time);
   if (arguments.bifurcation) limits.phases = 1;
   limits.take = [&](const Branch& branch) {
     const Branch shown = values.empty() ? branch : points_at(branch, values);
@@ -271,7 +271,7 @@ void send_special_points(const SweepArguments& arguments, const LineSender& send
   try {
     const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
     CurveLimits limits = arguments.branches;
-    limits.deadline = Deadline::after_wall(arguments.total_time);
+    limits.deadline = Deadline::after(arguments.total_time);
     const std::string& second = arguments.second.place;
     const BifurcationCurves response =
         bifurcation_response(find_scene(arguments.scene), arguments.range.from, arguments.range.to,

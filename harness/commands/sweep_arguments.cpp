@@ -30,7 +30,7 @@ void add_branch_options(const Command& command, SweepArguments& arguments) {
   command.option("--max-points", arguments.branches.max_points, "by arc length: points of a branch")
       .range(2, 1000000)
       .shows_default();
-  command.option("--total-time", arguments.total_time, "by arc length: wall time of all branches [s]")
+  command.option("--total-time", arguments.total_time, "by arc length: processor time of all branches [s]")
       .check(positive_seconds)
       .shows_default();
   command

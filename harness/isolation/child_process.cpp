@@ -126,9 +126,11 @@ ChildProcess::Side ChildProcess::fork_process(const StandardStreams& streams, in
   std::cout.flush();
   compute_on_one_thread();  // a test or a plugin may have set another number
   const pid_t parent = getpid();
+  const double used = Deadline::processor_now();
   id_ = fork();
   if (id_ < 0) throw_errno("fork");
   if (id_ == 0) {
+    Deadline::go_on_from(used);
     prepare_child(parent, streams, kept);
     return Side::child;
   }

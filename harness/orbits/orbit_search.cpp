@@ -156,7 +156,9 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
   std::vector<IsolatedWork> work;
   for (const CandidateUnit& unit : units) {
     work.push_back([&unit, deadline](const LineSender& send) {
-      unit.work([&send](const OrbitCandidate& candidate) { send(json_line(to_json(candidate))); }, deadline);
+      // As many work beside it.
+      const Deadline own = Deadline::first_of(deadline, Deadline::after(deadline.left() / kSearchProcesses));
+      unit.work([&send](const OrbitCandidate& candidate) { send(json_line(to_json(candidate))); }, own);
     });
   }
   const std::vector<ChildEnd> ends = run_isolated_together(
@@ -212,7 +214,7 @@ std::optional<double> FoundOrbit::largest_multiplier() const {
 
 SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
                             const OrbitPolisher& polish, const SearchProgress& progress) {
-  const Deadline deadline = Deadline::after_wall(options.timeout);
+  const Deadline deadline = Deadline::after(options.timeout, kSearchProcesses);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
   OrbitCollection collection(problem, certify, deadline);
   if (prefers_reduction(problem)) collection.add_large(reduced_orbits()(problem, deadline));

@@ -17,7 +17,7 @@ struct OrbitSearchOptions {
   int starts = 48;         ///< random states at each order
   int subharmonics = 3;    ///< orders 1..this are searched [forcing periods]
   unsigned seed = 1;       ///< of the random states
-  double timeout = 300.0;  ///< wall time of the whole search [s]
+  double timeout = 600.0;  ///< processor time of the whole search, its two processes together [s]
 };
 
 /// Orders searched unless told otherwise: 3, or the scene's own subharmonic if that is higher.

@@ -58,7 +58,7 @@ struct Asked {
     return frequency_response(scene, planned_case.choice, range_of(question),
                               {.timeout = kShareOfSolve * timeout,
                                .memory_mb = limits.memory_mb,
-                               .deadline = Deadline::after_wall(timeout)});
+                               .deadline = Deadline::after(timeout)});
   }
 };
 

@@ -130,7 +130,7 @@ BranchDiagram exact_branches(const ParametrisedScene& scene, const CurveLimits& 
 std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int values, int max_order,
                                           double timeout) {
   constexpr int kStarts = 24;
-  const Deadline deadline = Deadline::after_wall(timeout);
+  const Deadline deadline = Deadline::after(timeout);
   std::vector<KnownMotion> found;
   for (int i = 0; i < values; ++i) {
     const double left = deadline.left() / (values - i);

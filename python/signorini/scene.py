@@ -117,11 +117,11 @@ class Scene:
             raise program.NotConverged(f"{record['case']}: {solution.status}: {solution.message}", solution)
         return solution
 
-    def orbits(self, *, starts: int = 48, subharmonics: int | None = None, seed: int = 1, timeout: float = 300.0) -> list[Orbit]:
+    def orbits(self, *, starts: int = 48, subharmonics: int | None = None, seed: int = 1, timeout: float = 600.0) -> list[Orbit]:
         """All certified orbits that a search finds under the scene's own law, stable or not; an empty list if there are none.
 
         starts: random states to start from, at each order.  subharmonics: periods of 1 to this many forcing periods.
-        timeout: wall time of the search [s].  The same arguments give the same list.
+        timeout: processor time of the search [s].  The same arguments give the same list.
         """
         words = ["orbits", self._source, "--starts", str(starts), "--seed", str(seed), "--timeout", str(timeout), "--json"]
         if subharmonics is not None:
@@ -148,7 +148,7 @@ class Scene:
                  timeout: float = 60.0, hz: bool = False, **options: Option) -> Response:
         """Branches between two frequencies [rad/s], with hz=True [Hz], by arc length, of exact orbits or of a method that follows its own curve.
 
-        orders: longest period, in periods of the load.  most: branches in all.  timeout: wall time of all of them [s].
+        orders: longest period, in periods of the load.  most: branches in all.  timeout: processor time of all of them [s].
         search: begin also at all orbits that a search finds at so many frequencies, for isolated branches.
         What is followed, and what is not: docs/responses.md. Raises BadInput for scenes of more than 300 coordinates.
         """

@@ -1,6 +1,8 @@
 #include "methods/deadline.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <thread>
@@ -27,10 +29,42 @@ TEST(Deadline, IsOneOfProcessorTime) {
   EXPECT_LE(deadline.left(), 0.0);
 }
 
+/// What `work` in a child ends with.
+template <typename Work>
+int in_child(const Work& work) {
+  const pid_t child = fork();
+  if (child == 0) _exit(work());
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WEXITSTATUS(status);
+}
+
+TEST(Deadline, CountsTheWorkOfChildren) {
+  const Deadline deadline = Deadline::after(0.04);
+  in_child([] {
+    work_for(0.05);
+    return 0;
+  });
+  EXPECT_TRUE(deadline.passed());
+  EXPECT_FALSE(Deadline::after(60.0).passed());
+}
+
+TEST(Deadline, HoldsInAChild) {
+  work_for(0.05);
+  const Deadline deadline = Deadline::after(0.05);
+  const double used = Deadline::processor_now();
+  const auto ends_in_time = [&] {
+    Deadline::go_on_from(used);
+    return deadline.left() <= 0.05 ? 1 : 0;
+  };
+  EXPECT_EQ(in_child(ends_in_time), 1);
+}
+
 TEST(Deadline, EndsWhatSleepsAtTheCeilingOfWallTime) {
-  const Deadline deadline = Deadline::after(0.005);
+  const Deadline deadline = Deadline::after(0.005), of_two = Deadline::after(0.01, 2);
   std::this_thread::sleep_for(milliseconds(60));
   EXPECT_TRUE(deadline.passed());
+  EXPECT_TRUE(of_two.passed());
 }
 
 TEST(Deadline, OfWallTimeTakesNoNoticeOfWork) {
