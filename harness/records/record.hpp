@@ -108,8 +108,9 @@ struct OrderOfImpacts {
 };
 
 /// The rules of certificates: those of records without this number accepted the motion reached from rest as
-/// the orbit of an answer within 0.5 of it.
-inline constexpr int kCertificateRule = 2;
+/// the orbit of an answer within 0.5 of it; 2 asked for no contact force, nor for the worst contact, and
+/// refuted by what both searches found.
+inline constexpr int kCertificateRule = 3;
 
 /// Whether a true orbit of the represented law stands behind an answer, and which.
 struct Certificate {
