@@ -190,6 +190,7 @@ class March {
       tried = distance;
       ++tries;
       FixedPoint orbit = find_fixed_point(map_, state_, order, newton, expired_);
+      if (orbit.converged && leaves(orbit)) return std::nullopt;
       if (!orbit.converged || !(orbit.largest_multiplier() < 1.0) || !contracts_to(orbit)) continue;
       const auto smallest = order_when_marched_on(map_, orbit, options_.accepted());
       if (!smallest) continue;
@@ -201,6 +202,27 @@ class March {
       return orbit;
     }
     return std::nullopt;
+  }
+
+  // A march on an unstable orbit, as of a symmetric scene from a symmetric start, does not leave it by
+  // itself where rounding keeps the symmetry: after long it is pushed along the direction that grows.
+  bool leaves(const FixedPoint& orbit) {
+    constexpr long kPatience = 1000;  // periods
+    constexpr int kMostPushes = 3;
+    constexpr double kNear = 1e-3, kPush = 1e-6;
+    if (marched_ < kPatience || pushes_ >= kMostPushes || !(orbit.largest_multiplier() > 1.0)) return false;
+    const Eigen::VectorXd fixed = map_.scaled(orbit.start.state);
+    if (!((past_.back() - fixed).lpNorm<Eigen::Infinity>() <= kNear)) return false;
+    const GeneralEigen modes = general_eigen(orbit.monodromy);
+    if (!modes.converged) return false;
+    Eigen::Index fastest = 0;
+    modes.values.cwiseAbs().maxCoeff(&fastest);
+    const Eigen::VectorXd direction = modes.vectors.col(fastest).real();
+    state_ = map_.flow().place(state_.time, map_.unscaled(fixed + kPush * direction.normalized()));
+    ++pushes_;
+    past_.clear();
+    remember();
+    return true;
   }
 
   std::optional<FixedPoint> settled() {
@@ -241,6 +263,7 @@ class March {
   std::deque<std::vector<ContactEvent>> recent_events_;  // events of each period
   long marched_ = 0;
   int moves_ = 0;
+  int pushes_ = 0;
 };
 
 }  // namespace
