@@ -10,6 +10,7 @@
 
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/receptance.hpp"
+#include "methods/structure/rigid_motions.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/sparse_cholesky.hpp"
 
@@ -34,6 +35,21 @@ Eigen::ArrayXd turns(Eigen::Index harmonics) {
 Eigen::VectorXd work(const Eigen::MatrixXcd& force, const Eigen::MatrixXcd& displacement) {
   const Eigen::MatrixXd power = force.conjugate().cwiseProduct(displacement).imag();
   return -2.0 * (power.transpose() * turns(force.rows()).matrix());
+}
+
+// M, and 1 kg on coordinates without mass that no contact touches: no impulse reaches them.
+SparseMatrix inertia_of_impulses(const Problem& problem) {
+  SparseMatrix inertia = problem.mass();
+  Eigen::VectorXd missing = Eigen::VectorXd::Ones(problem.size());
+  for (int column = 0; column < inertia.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(inertia, column); entry; ++entry)
+      if (entry.value() != 0.0) missing[column] = 0.0;
+  for (const Contact& contact : problem.contacts)
+    for (const auto& [dof, weight] : contact.normal) missing[dof] = 0.0;
+  for (int i = 0; i < problem.size(); ++i)
+    if (missing[i] > 0.0) inertia.coeffRef(i, i) = 1.0;
+  inertia.makeCompressed();
+  return inertia;
 }
 
 }  // namespace
@@ -114,8 +130,12 @@ void ContactResponse::factorise(const Problem& problem, const LoadColumns& load)
     Eigen::MatrixXcd columns(problem.size(), 2);
     columns << W * lambda_.row(n).transpose(), F * load_.row(n).transpose();
     if (columns.isZero(0.0)) continue;  // no response, whether or not Z_n is singular
-    stiffness.factorise(exact_weights(w));
-    columns = stiffness.solve(columns);
+    try {
+      stiffness.factorise(exact_weights(w));
+      columns = stiffness.solve(columns);
+    } catch (const SingularStiffness&) {
+      if (n > 0 || !hold_mean(problem, columns)) throw;
+    }
     free_.row(n) = (W.transpose() * columns.col(1)).transpose();
     free_q_.row(n) = (F.transpose() * columns.col(1)).transpose();
     const Eigen::VectorXcd u = columns.rowwise().sum();
@@ -127,6 +147,15 @@ void ContactResponse::factorise(const Problem& problem, const LoadColumns& load)
     const Eigen::VectorXcd pull = problem.stiffness() * u;
     dissipation_ += 2.0 * kTwoPi * static_cast<double>(n) * u.dot(pull).imag();
   }
+}
+
+bool ContactResponse::hold_mean(const Problem& problem, Eigen::MatrixXcd& columns) {
+  const Eigen::MatrixXd motions = rigid_motions(problem);
+  if (motions.cols() == 0) return false;
+  const HeldStructure held(problem, motions, base_frequency_);
+  columns = held.solve(columns.real()).cast<Complex>();
+  mean_is_free_ = true;
+  return true;
 }
 
 bool ContactResponse::project(const Problem& problem, const LoadColumns& load) {
@@ -176,8 +205,9 @@ Eigen::VectorXd ContactResponse::contact_work() const { return work(lambda_, x_)
 double ContactResponse::dissipation() const { return dissipation_; }
 
 Eigen::MatrixXd velocity_jumps(const Problem& problem) {
-  if (!is_definite(problem.mass())) throw std::invalid_argument("an impulse meets coordinates without mass");
-  return SparseCholesky(problem.mass()).solve(Eigen::MatrixXd(contact_directions(problem)));
+  const SparseMatrix inertia = inertia_of_impulses(problem);
+  if (!is_definite(inertia)) throw std::invalid_argument("an impulse meets coordinates without mass");
+  return SparseCholesky(inertia).solve(Eigen::MatrixXd(contact_directions(problem)));
 }
 
 std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int count,
@@ -189,6 +219,7 @@ std::optional<Eigen::MatrixXd> contact_free_motion(const Problem& problem, int c
                                     .base_frequency = problem.base_frequency(),
                                     .lambda = Eigen::MatrixXcd::Zero(harmonics, problem.contact_count())},
                                    space);
+    if (response.mean_is_free()) return std::nullopt;
     Eigen::MatrixXd free = response.free_displacement(count);
     return free.allFinite() ? std::optional(std::move(free)) : std::nullopt;
   } catch (const SingularStiffness&) {

@@ -21,7 +21,8 @@ namespace signorini {
 class ContactResponse {
  public:
   /// The response to the load and a contact force in H harmonics. \throws SingularStiffness if Z_n is
-  /// singular at a harmonic with load or force \param space  of this problem; null: none is known
+  /// singular at a harmonic with load or force, beyond rigid motions at harmonic 0 \param space  of this
+  /// problem; null: none is known
   ContactResponse(const Problem& problem, ForceSeries series, const ContactSpace* space = nullptr);
 
   /// H.
@@ -32,6 +33,8 @@ class ContactResponse {
   [[nodiscard]] Eigen::MatrixXd displacement(int count) const;
   /// x under the load alone, without contact force, count x Nc [m].
   [[nodiscard]] Eigen::MatrixXd free_displacement(int count) const;
+  /// Whether rigid motions leave the mean open: that of x and of the free motion is then of structures held.
+  [[nodiscard]] bool mean_is_free() const { return mean_is_free_; }
   /// Work of the load per period, integral of f^T u' dt [J].
   [[nodiscard]] double work_of_load() const;
   /// Upper bound of |work_of_load()|: that of loads on displacements of these magnitudes, or of those under
@@ -53,9 +56,12 @@ class ContactResponse {
   [[nodiscard]] double missed_work(const ContactSpace& space) const;
   [[nodiscard]] double most_missed() const;
   void factorise(const Problem& problem, const LoadColumns& load);
+  /// The static response where rigid motions are held at a mean of 0. False where K has none.
+  bool hold_mean(const Problem& problem, Eigen::MatrixXcd& columns);
   [[nodiscard]] bool project(const Problem& problem, const LoadColumns& load);
 
   double base_frequency_ = 0.0;
+  bool mean_is_free_ = false;
   Eigen::MatrixXcd lambda_;  // (H+1) x Nc
   Eigen::MatrixXcd load_;    // phi, (H+1) x Nf
   Eigen::MatrixXcd x_, q_;   // (H+1) x Nc, (H+1) x Nf

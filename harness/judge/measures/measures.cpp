@@ -110,8 +110,9 @@ double length_scale(const Problem& problem, const Motion& motion, const Eigen::V
   constexpr double kLeast = 0.1;
   const double moving = amplitude(motion);
   // An answer may have no response where the load alone has one: its harmonics are more.
+  const bool known = response && !response->mean_is_free();
   const std::optional<Eigen::MatrixXd> free =
-      response ? response->free_displacement(kInstants) : contact_free_motion(problem, kInstants, space);
+      known ? response->free_displacement(kInstants) : contact_free_motion(problem, kInstants, space);
   if (!free || !free->allFinite()) return std::max(moving, least_size(problem, space));
   return std::max(moving, kLeast * (free->rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
 }
@@ -223,10 +224,11 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
     }
     const auto* restitution = std::get_if<Restitution>(&law);
     if (restitution != nullptr && restitution->e < 1.0) {
-      missed -= expected_loss(answer, restitution->e, delassus_matrix(problem));
+      missed -= expected_loss(answer, restitution->e,
+                              contact_directions(problem).transpose() * velocity_jumps(problem));
     }
   } catch (const std::invalid_argument& error) {
-    return {.reason = error.what()};  // no Delassus matrix
+    return {.reason = error.what()};  // an impulse on what has no mass
   }
   return {.value = std::abs(missed) / std::abs(work)};
 }

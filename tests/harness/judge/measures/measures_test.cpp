@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
+#include "harness/judge/measures/contact_response.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/damped_chain.hpp"
@@ -215,6 +217,38 @@ TEST(EnergyDefect, VanishesForTheLinearResponse) {
   const Problem problem = test::one_mass();
   EXPECT_LT(energy_defect(problem, Restitution{1.0}, sampled(*test::free_motion(problem))).value.value(),
             1e-13);
+}
+
+// The mean of a part that no spring holds does no work, whatever it is.
+TEST(EnergyDefect, OfALooseMassIsMeasuredThough) {
+  Problem loose = test::one_mass(0.0, 0.5);  // m = 1, omega = 2
+  loose.edit_structure([](Structure& s) {
+    s.stiffness.coeffRef(0, 0) = 0.0;
+    s.damping.coeffRef(0, 0) = 0.2;
+  });
+  loose.force.push_back({.dof = 0, .harmonic = 0, .cos = 6.0});
+  // A stop that pushes with 6 N throughout lets the mass follow the load as if it were free.
+  const std::complex<double> amplitude = 1.0 / std::complex<double>(-4.0, 0.4);
+  const auto x = [=](double t) { return (amplitude * std::polar(1.0, 2.0 * t)).real(); };
+  const auto v = [=](double t) {
+    return (amplitude * std::complex<double>(0.0, 2.0) * std::polar(1.0, 2.0 * t)).real();
+  };
+  const Motion motion = sample_motion(loose, FormulaMotion(kPeriod, x, v, [](double) { return -6.0; }));
+  const EnergyDefect defect = energy_defect(loose, Penalty{{1.0}}, motion);
+  ASSERT_TRUE(defect.value) << defect.reason;
+  EXPECT_LT(*defect.value, 1e-9);
+}
+
+// No impulse reaches a coordinate without mass that no contact touches.
+TEST(VelocityJumps, AreKnownBesideCoordinatesWithoutMass) {
+  Problem problem = test::one_mass(0.0, 0.5);
+  problem.edit_structure([](Structure& s) {
+    for (SparseMatrix* matrix : {&s.mass, &s.damping, &s.stiffness}) matrix->conservativeResize(2, 2);
+    s.stiffness.coeffRef(1, 1) = 1.0;
+  });
+  const Eigen::MatrixXd jumps = velocity_jumps(problem);
+  EXPECT_DOUBLE_EQ(jumps(0, 0), 1.0 / problem.mass().coeff(0, 0));
+  EXPECT_DOUBLE_EQ(jumps(1, 0), 0.0);
 }
 
 TEST(EnergyDefect, IsAbsentWithoutWorkOrLaw) {
