@@ -17,6 +17,7 @@
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/orbit/return_check.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 
 namespace signorini {
 
@@ -60,7 +61,7 @@ double relative_error_bar(const ExactOrbit& orbit, const Trajectory& motion, dou
 std::optional<bool> stability(const ExactOrbit& orbit) {
   constexpr double kUndecided = 1e-9;
   if (orbit.multipliers.size() == 0) return std::nullopt;
-  const double largest = orbit.largest_multiplier();
+  const double largest = largest_magnitude(orbit.multipliers);
   if (std::abs(largest - 1.0) <= std::max(kUndecided, orbit.error_bar)) return std::nullopt;
   return largest < 1.0;
 }

@@ -91,10 +91,6 @@ struct ExactOrbit {
   [[nodiscard]] bool certified() const {
     return outcome == OrbitOutcome::converged || outcome == OrbitOutcome::chatter;
   }
-  /// Of `multipliers`, in magnitude; 0 where there are none.
-  [[nodiscard]] double largest_multiplier() const {
-    return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
-  }
   /// "largest multiplier 0.7", or what they are undefined for.
   [[nodiscard]] std::string describe_multipliers() const;
 };

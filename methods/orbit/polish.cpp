@@ -10,6 +10,7 @@
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/modal_green_function.hpp"
 #include "methods/solvers/condition_estimate.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 
 namespace signorini {
@@ -157,7 +158,7 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
 }  // namespace
 
 std::string ExactOrbit::describe_multipliers() const {
-  if (undefined.empty()) return fmt::format("largest multiplier {:.6g}", largest_multiplier());
+  if (undefined.empty()) return fmt::format("largest multiplier {:.6g}", largest_magnitude(multipliers));
   return "stability undefined: " + describe_orders({.undefined = undefined, .orders = orders});
 }
 

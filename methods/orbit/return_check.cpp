@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "methods/flow/flow.hpp"
+#include "problems/linear_algebra/general_eigen.hpp"
 
 namespace signorini {
 
@@ -22,11 +23,6 @@ State one_period_later(const ContactDynamics& dynamics, const ExactTrajectory& o
   return end.state;
 }
 
-double largest_multiplier(const ExactTrajectory& orbit) {
-  const Eigen::VectorXcd& multipliers = orbit.quality().multipliers;
-  return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
-}
-
 // By how much errors of one period have grown at its end, at most, relative to the scales of the motion.
 double growth_of_errors(const ExactTrajectory& orbit, const MotionScales& scales) {
   constexpr int kStates = 100;
@@ -36,7 +32,7 @@ double growth_of_errors(const ExactTrajectory& orbit, const MotionScales& scales
     largest = std::max({largest, state.u.lpNorm<Eigen::Infinity>() / scales.displacement,
                         state.v.lpNorm<Eigen::Infinity>() / scales.velocity});
   }
-  return largest * (1.0 + largest_multiplier(orbit));
+  return largest * (1.0 + largest_magnitude(orbit.quality().multipliers));
 }
 
 }  // namespace
@@ -53,7 +49,8 @@ ReturnCheck cvode_return(const ContactDynamics& dynamics, const ExactTrajectory&
   const MotionScales& scales = dynamics.scales();
   const State& start = orbit.orbit().start.state;
   // An orbit that multiplies errors is as much nearer to where CVODE returns, while that is near at all.
-  const double largest = std::min(kStillLinear, kLargest * std::max(1.0, largest_multiplier(orbit)));
+  const double largest =
+      std::min(kStillLinear, kLargest * std::max(1.0, largest_magnitude(orbit.quality().multipliers)));
   const double expected =
       std::min(largest, orbit.quality().error_bar + kFloor * growth_of_errors(orbit, scales));
   ReturnCheck check{.distance = std::numeric_limits<double>::infinity(), .allowed = expected};

@@ -18,7 +18,7 @@ namespace signorini {
 
 std::string FixedPoint::describe_multipliers() const {
   return order_matters ? "multipliers depend on the order of simultaneous impacts"
-                       : fmt::format("largest multiplier {:.6g}", largest_multiplier());
+                       : fmt::format("largest multiplier {:.6g}", largest_magnitude(multipliers));
 }
 
 void PeriodMap::apply(FlowState& state, int count, FlowRecord& record) {

@@ -48,10 +48,6 @@ struct FixedPoint {
   /// Simultaneous impacts feel each other: these are of one of their orders.
   bool order_matters = false;
 
-  /// Of `multipliers`, in magnitude; 0 where there are none.
-  [[nodiscard]] double largest_multiplier() const {
-    return multipliers.size() == 0 ? 0.0 : multipliers.cwiseAbs().maxCoeff();
-  }
   /// "largest multiplier 0.7", or that they depend on the order of simultaneous impacts.
   [[nodiscard]] std::string describe_multipliers() const;
 };

@@ -161,7 +161,7 @@ class March {
       // At the noise of the integration nothing shrinks any more.
       distance.push_back(length <= options_.accepted() ? 0.0 : (to_modes * offset).norm());
     }
-    const double factor = 1.0 - kShare * (1.0 - orbit.largest_multiplier());
+    const double factor = 1.0 - kShare * (1.0 - largest_magnitude(orbit.multipliers));
     const auto p = static_cast<std::size_t>(orbit.order);
     const std::size_t turns = std::min((distance.size() - 1) / p, kTurns);
     for (std::size_t turn = 0; turn < turns; ++turn) {
@@ -191,7 +191,7 @@ class March {
       ++tries;
       FixedPoint orbit = find_fixed_point(map_, state_, order, newton, expired_);
       if (orbit.converged && leaves(orbit)) return std::nullopt;
-      if (!orbit.converged || !(orbit.largest_multiplier() < 1.0) || !contracts_to(orbit)) continue;
+      if (!orbit.converged || !(largest_magnitude(orbit.multipliers) < 1.0) || !contracts_to(orbit)) continue;
       const auto smallest = order_when_marched_on(map_, orbit, options_.accepted());
       if (!smallest) continue;
       // The matrix of more periods than the motion's own is a power of its monodromy matrix.

@@ -25,4 +25,8 @@ Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
                          : Eigen::VectorXcd::Constant(A.rows(), std::complex<double>(kNone, kNone));
 }
 
+double largest_magnitude(const Eigen::VectorXcd& values) {
+  return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff();
+}
+
 }  // namespace signorini

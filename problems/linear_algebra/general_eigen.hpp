@@ -17,5 +17,8 @@ struct GeneralEigen {
 GeneralEigen general_eigen(const Eigen::MatrixXd& A);
 /// The values alone; all NaN where they do not converge.
 Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A);
+/// The largest magnitude of eigenvalues, 0 where there are none: the spectral radius; of Floquet multipliers
+/// what small disturbances grow by in a period.
+double largest_magnitude(const Eigen::VectorXcd& values);
 
 }  // namespace signorini

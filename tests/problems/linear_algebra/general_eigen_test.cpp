@@ -214,6 +214,13 @@ TEST(GeneralEigen, OfWhatIsNotFiniteDoNotConverge) {
   }
 }
 
+TEST(LargestMagnitude, IsThatOfAnyEigenvalue) {
+  EXPECT_EQ(largest_magnitude({}), 0.0);
+  Eigen::VectorXcd values(3);
+  values << std::complex<double>(0.3, 0.4), std::complex<double>(-2.0, 0.0), std::complex<double>(1.0, 0.0);
+  EXPECT_EQ(largest_magnitude(values), 2.0);
+}
+
 TEST(GeneralEigen, OfNothing) {
   EXPECT_TRUE(general_eigen(Matrix(0, 0)).converged);
   EXPECT_EQ(general_eigenvalues(Matrix(0, 0)).size(), 0);

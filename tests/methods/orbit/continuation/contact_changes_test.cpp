@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"
 #include "tests/support/exact_scenes.hpp"
@@ -44,7 +45,7 @@ TEST(PastChange, MeetsTheSpecialPointsOfSpringStops) {
       const ExactOrbit orbit = polished(scene, *one, i);
       // A phase of contact of next to no length is refused by the polish.
       if (orbit.outcome != OrbitOutcome::converged) continue;
-      EXPECT_EQ(point.stability == OrbitStability::stable, orbit.largest_multiplier() < 1.0)
+      EXPECT_EQ(point.stability == OrbitStability::stable, largest_magnitude(orbit.multipliers) < 1.0)
           << point.parameter;
     }
   }
