@@ -121,6 +121,65 @@ def random_scene(random, number):
     return (scene + (f"[law]\n{law}\n" if law and "[[contact]]" in scene else "")).encode()
 
 
+def log_uniform(random, low, high):
+    return math.exp(random.uniform(math.log(low), math.log(high)))
+
+
+def scene_text(name, system, frequency, terms, contacts, law):
+    """Terms are (dof, harmonic, cos, sin), contacts (dof, side, gap)."""
+    text = f'schema = 1\nname = "{name}"\n[system]\n{system}\n[forcing]\nfrequency = {frequency:.6g}\n'
+    for dof, harmonic, cosine, sine in terms:
+        text += f"[[forcing.term]]\ndof = {dof}\nharmonic = {harmonic}\ncos = {cosine:.6g}\nsin = {sine:.6g}\n"
+    for dof, side, gap in contacts:
+        text += f"[[contact]]\nnormal = [[{dof}, {side}]]\ngap = {gap:.6g}\n"
+    return text + (f"[law]\n{law}\n" if law else "")
+
+
+def mass_before_stops(random, number):
+    """One mass on a spring with stops of any law, gaps mostly within reach of its contact-free motion."""
+    damping, frequency = log_uniform(random, 0.02, 0.3), random.uniform(0.4, 3.2)
+    reach = 1.0 / math.hypot(1.0 - frequency**2, damping * frequency)
+    gap = random.uniform(0.05, 0.9) * reach * (1.0 if random.random() < 0.85 else random.choice([-0.3, 1.3]))
+    law = f"restitution = {random.choice([0.0, 0.3, 0.5, 0.7, 0.8, 0.9, 1.0, 1.0])}"
+    terms, contacts, kind = [(0, 1, 1.0, 0.0)], [(0, 1.0, gap)], number % 15
+    if kind in (8, 9, 13):
+        contacts = [(0, 1.0, abs(gap)), (0, -1.0, random.uniform(0.05, 0.9) * reach)]
+    if kind in (10, 11, 12, 13, 14):
+        law = f"penalty = {log_uniform(random, 1.0, 1e4 if kind < 13 else 1e3):.6g}"
+    if kind == 14:
+        law += f"\ndamping = {log_uniform(random, 0.05, 5.0):.6g}" if number % 2 else ""
+        terms += [(0, 2, random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)), (0, 3, random.uniform(-0.3, 0.3), 0.0)]
+    system = f'kind = "sdof"\nmass = 1.0\ndamping = {damping:.6g}\nstiffness = 1.0'
+    return scene_text(f"mass-{number:03}", system, frequency, terms, contacts, law)
+
+
+def chain_or_beam(random, number):
+    """A chain of two to six masses, the last one massless now and then, or a cantilever of three to eight elements, with a
+    stop at its end: rigid or a spring."""
+    law = f"restitution = {random.choice([0.0, 0.5, 0.8, 1.0])}"
+    if number % 3 == 2:
+        elements = random.randint(3, 8)
+        tip = 2 * (elements - 1)
+        if number % 2:
+            law = f"penalty = {log_uniform(random, 5.0, 1e3):.6g}"
+        system = (f'kind = "beam"\nelements = {elements}\nlength = 1.0\narea = 1.0\ninertia = 1.0\nyoung = 1.0\n'
+                  f"density = 1.0\ndamping = {{ modal = [{random.uniform(0.02, 0.08):.4g}, 0.1, 0.3] }}")
+        return scene_text(f"beam-{number:03}", system, random.uniform(2.0, 6.0), [(tip, 1, 0.6, 0.0)],
+                          [(tip, 1.0, random.uniform(0.02, 0.12))], law)
+    size = random.randint(2, 6)
+    masses = [random.uniform(0.5, 2.0) for _ in range(size)]
+    springs, dampers = ([random.uniform(*bounds) for _ in masses] for bounds in ((0.8, 1.5), (0.05, 0.2)))
+    if number % 4 == 1:
+        law = f"penalty = {log_uniform(random, 2.0, 1e3):.6g}"
+    if number % 4 == 3:
+        masses[-1], law = 0.0, None
+    rows = "".join(f"\n{key} = {[round(value, 5) for value in values]}"
+                   for key, values in (("masses", masses), ("dampers", dampers), ("springs", springs)))
+    loaded = random.randrange(size - (masses[-1] == 0.0))
+    return scene_text(f"chain-{number:03}", f'kind = "chain"{rows}', random.uniform(0.4, 1.8), [(loaded, 1, 1.0, 0.0)],
+                      [(size - 1, 1.0, random.uniform(0.2, 1.2))], law)
+
+
 def one_mass(mass=1.0, damping=0.1, stiffness=1.0, frequency=2.2, force="dof = 0\ncos = 1.0\n", gaps=(0.2,),
              law="restitution = 1.0", more=""):
     contacts = "".join(f"[[contact]]\ndof = 0\ngap = {gap}\n" for gap in gaps)
