@@ -116,6 +116,7 @@ CertifiedOrbit polish(const Problem& problem, const Trajectory& answer,
   OrbitFinder finder(problem);
   SearchOptions options;
   options.polish.second_evaluation = true;
+  options.free_families = FreeFamilies::first;  // it claims that nothing touches
   options.expired = expired;
   const OrbitSearch search = finder.find(answer, options);
   const ExactOrbit& found = search.orbit;

@@ -33,10 +33,19 @@ struct Attempt {
   std::function<Solution()> motion;
 };
 
+// Nodes of the first coarse grid: as many as asked for, times 4 until they resolve the load.
+int first_grid(const Problem& problem, int samples) {
+  while (!grid_support(problem, samples).ok) samples *= 4;
+  return samples;
+}
+
 class PreparedExactOrbit final : public PreparedMethod {
  public:
   PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem), options_(options), coarse_(grid(options.samples, 0)) {}
+      : problem_(problem),
+        options_(options),
+        first_samples_(first_grid(problem, options.samples)),
+        coarse_(grid(first_samples_, 0)) {}
 
   Solution solve(const Start& start) override {
     progress_ = {};
@@ -67,7 +76,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     if (start.guess && polish(*start.guess, "the guess", search_options(start))) return;
     SearchOptions first = search_options(start);
     first.followed = std::min(32, options_.marching);  // less than a shooting takes, and enough most often
-    if (attempt({grid_name(options_.samples, 0), [&] { return coarse_->solve(cold); }}, first)) return;
+    if (attempt({grid_name(first_samples_, 0), [&] { return coarse_->solve(cold); }}, first)) return;
     for (const Attempt& next : further_attempts(cold)) {
       if (attempt(next, search_options(start))) return;
     }
@@ -87,7 +96,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       attempts.push_back({grid_name(samples, cover),
                           [this, &cold, samples, cover] { return grid(samples, cover)->solve(cold); }});
     };
-    int samples = options_.samples;
+    int samples = first_samples_;
     for (int level = 0; level <= options_.refinements; ++level, samples *= 4) {
       if (level > 0) add_grid(samples, 0);
       if (level > 0 && level == options_.refinements) break;
@@ -151,7 +160,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.
   [[nodiscard]] Solution projected(const Start& cold) const {
-    const int harmonics = std::max(options_.samples / 4, load_bandwidth(problem_));
+    const int harmonics = std::max(first_samples_ / 4, load_bandwidth(problem_));
     const bool spring = std::holds_alternative<Penalty>(problem_.law);
     const auto method_for = [spring](const Problem& solved) -> HarmonicMethod {
       const auto law = [&solved, spring](const ContactReceptance& receptance) {
@@ -171,6 +180,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     options.polish.tolerance = options_.tolerance;
     options.polish.max_iterations = options_.max_iterations;
     options.shootings = 15;
+    options.free_families = FreeFamilies::last;
     options.expired = [&start] { return start.expired(); };
     return options;
   }
@@ -194,6 +204,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   const Problem& problem_;
   ExactOrbitMethod::Options options_;
+  int first_samples_;  // N of the first grid
   std::unique_ptr<PreparedMethod> coarse_;
   Progress progress_;
 };
@@ -310,7 +321,6 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
     return {false, fmt::format("{} coordinates: the closed-form flow is dense, at most {}; {}",
                                problem.size(), kMostInDenseFlow, reduction_obstacle(problem))};
   }
-  if (Support grid = grid_support(problem, options_.samples); !grid.ok) return grid;
   const std::string obstacle = flow_obstacle(problem);
   return {.ok = obstacle.empty(), .reason = obstacle};
 }

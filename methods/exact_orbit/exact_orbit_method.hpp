@@ -38,7 +38,7 @@ class ExactOrbitMethod final : public Method, public CurveMethod {
   static constexpr std::string_view kStarts = "samples=16|32|128|1024";
 
   struct Options {
-    int samples = 64;          ///< N >= 8 nodes of the coarse solve per period [-]
+    int samples = 64;          ///< N >= 8 nodes of the coarse solve per period, more where the load asks [-]
     int refinements = 2;       ///< grids of 4 N, 16 N ... tried after the first [-]
     int restarts = 4;          ///< other covering vectors tried on each grid but the last [-]
     double tolerance = 1e-12;  ///< on the residual of the orbit's equations [-]
@@ -46,7 +46,8 @@ class ExactOrbitMethod final : public Method, public CurveMethod {
     int marching = 200;        ///< periods marched, the first 32 before finer grids [-]
 
     void visit(auto&& field) {
-      field("samples", samples, "[-]", "nodes N per period of the coarse solve, 8..100000");
+      field("samples", samples, "[-]",
+            "nodes N per period of the coarse solve, 8..100000; times 4 until they resolve the load");
       field("refinements", refinements, "[-]", "grids of 4 N, 16 N, ... tried where the first fails, 0..4");
       field("restarts", restarts, "[-]", "other covering vectors tried on each grid, 0..16");
       field("tolerance", tolerance, "[-]", "residual of the orbit's equations accepted, in [1e-14, 1e-6]");

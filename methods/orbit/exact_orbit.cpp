@@ -145,7 +145,15 @@ OrbitSearch OrbitFinder::find(const Trajectory& trajectory, const SearchOptions&
   OrbitSearch result;
   try {
     const auto guess = orbit_guess(*model_, trajectory, options.expired);
-    if (guess) return find(*guess, options);
+    const auto take_member = [&](FreeFamilies when) {
+      if (!guess || options.free_families != when || result.orbit.certified()) return;
+      ExactOrbit member = polish_free_member(model_, *guess, options.polish);
+      if (member.certified()) result.orbit = std::move(member);
+    };
+    take_member(FreeFamilies::first);
+    if (guess && !result.orbit.certified()) result = find(*guess, options);
+    take_member(FreeFamilies::last);
+    if (guess) return result;
     result.orbit.reason = "the structure has no unique response to the contact force";
   } catch (const std::runtime_error& error) {  // a flow that cannot be formed; the time is up
     result.orbit.reason = error.what();

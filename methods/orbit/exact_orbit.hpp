@@ -108,6 +108,13 @@ struct ExactOrbit {
 ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
                            const PolishOptions& options = {});
 
+/// The periodic motion next to a state whose motion touches nothing, where rigid motions make it one of a
+/// family: the equations are singular along these alone, their solution is that of least distance, and
+/// multipliers are undefined. Not certified for a sequence with events, where there is no such family, or
+/// where that member meets a stop.
+ExactOrbit polish_free_member(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
+                              const PolishOptions& options = {});
+
 /// What a search found, and what was tried on the way.
 struct OrbitSearch {
   ExactOrbit orbit;     ///< the certified one, or the attempt that came furthest
@@ -115,13 +122,18 @@ struct OrbitSearch {
   long iterations = 0;  ///< Newton steps in all
 };
 
+/// Whether a search takes motions that touch nothing where rigid motions make a family of them: not at all,
+/// where it finds no other from there, or before it looks for others.
+enum class FreeFamilies { refused, last, first };
+
 /// How far a search goes.
 struct SearchOptions {
-  PolishOptions polish = {};  ///< of each attempt
-  int rounds = 4;             ///< simulations from what the polish left
-  int followed = 0;           ///< periods marched next, for stable orbits; 0: none
-  int shootings = 25;         ///< Newton steps of the shooting that follows; 0: none
-  int marched = 0;            ///< periods marched on at the very end; 0: none
+  PolishOptions polish = {};                           ///< of each attempt
+  int rounds = 4;                                      ///< simulations from what the polish left
+  int followed = 0;                                    ///< periods marched next, for stable orbits; 0: none
+  int shootings = 25;                                  ///< Newton steps of the shooting that follows; 0: none
+  int marched = 0;                                     ///< periods marched on at the very end; 0: none
+  FreeFamilies free_families = FreeFamilies::refused;  ///< motions that touch nothing
   std::function<bool()> expired = [] { return false; };  ///< true ends the search
 };
 
@@ -140,7 +152,8 @@ class OrbitFinder {
   /// (`orbit_guess`); the one met in one period's flow from its state (`simulated_sequence`); those from the
   /// states that inadmissible solutions left, for several rounds; those met while marching (`followed`);
   /// those along Newton's method on the stroboscopic map (`find_fixed_point`, whose sequence may change at
-  /// each step); those met while marching on.
+  /// each step); those met while marching on. Motions that touch nothing, one of a family each, as
+  /// `free_families` says (`polish_free_member`).
   OrbitSearch find(const Trajectory& trajectory, const SearchOptions& options = {});
   /// The same from a sequence.
   OrbitSearch find(const OrbitGuess& guess, const SearchOptions& options = {});

@@ -12,6 +12,7 @@
 #include "methods/solvers/condition_estimate.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -166,6 +167,47 @@ std::string describe(OrbitOutcome outcome) {
   constexpr const char* kWords[] = {"converged",      "complete chattering", "grazing",
                                     "not admissible", "two events merge",    "no convergence"};
   return kWords[static_cast<std::size_t>(outcome)];
+}
+
+ExactOrbit polish_free_member(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
+                              const PolishOptions& options) {
+  constexpr double kSingular = 1e-9,
+                   kAtRest = 1e-6;  // of the largest singular value; of a direction's length
+  if (!guess.events.empty() || any_closed(guess.start.closed)) return {};
+  try {
+    OrbitEquations equations(*model, guess, options.expired);
+    Eigen::VectorXd unknowns = equations.guess();
+    if (!equations.evaluate(unknowns)) return {};
+    const SingularValues found = singular_vectors(equations.jacobian());
+    const Eigen::Index rank = (found.values.array() > kSingular * found.values[0]).count();
+    const Eigen::MatrixXd family = found.V.rightCols(found.values.size() - rank);
+    const bool rigid = family.cols() > 0 && family.bottomRows(model->dynamics.size()).norm() <= kAtRest;
+    if (!rigid) return {};
+    const Eigen::MatrixXd inverse = found.V.leftCols(rank) *
+                                    found.values.head(rank).cwiseInverse().asDiagonal() *
+                                    found.U.leftCols(rank).transpose();
+    unknowns -= inverse * equations.residual();
+    if (!equations.evaluate(unknowns)) return {};
+    ExactOrbit orbit{.origin = guess.origin, .residual = equations.residual().lpNorm<Eigen::Infinity>()};
+    orbit.attainable = equations.noise();
+    const OrbitGuess path = equations.orbit(unknowns);
+    const auto trajectory =
+        std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
+    orbit.trajectory = trajectory;
+    orbit.admissibility = check_admissible(*model, path, equations, options.expired);
+    orbit.condition = found.values[0] / found.values[rank - 1];
+    orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() * (orbit.residual + orbit.attainable);
+    conclude(*model, equations, options, orbit);
+    if (orbit.certified()) {
+      orbit.multipliers.resize(0);
+      orbit.orders.clear();
+      orbit.undefined = "nothing touches: one of a family of free motions, of any mean within the clearances";
+    }
+    trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
+    return orbit;
+  } catch (const std::exception& error) {  // as of polish_sequence
+    return {.reason = error.what(), .origin = guess.origin};
+  }
 }
 
 ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -47,11 +48,15 @@ TEST(ExactOrbitMethod, IsInTheCatalogueAndDeclaresTheScenesOwnLaw) {
   EXPECT_TRUE(law_matches(method->law(spring), spring.law));
 }
 
-TEST(ExactOrbitMethod, RefusesWhatItCannotResolve) {
+TEST(ExactOrbitMethod, TakesAsManyNodesAsTheLoadNeeds) {
   Problem problem = test::to_problem({});
   problem.force.push_back({.dof = 0, .harmonic = 40, .cos = 0.1, .sin = 0.0});
-  EXPECT_FALSE(ExactOrbitMethod({}).supports(problem).ok);
-  EXPECT_TRUE(ExactOrbitMethod({.samples = 256}).supports(problem).ok);
+  ASSERT_TRUE(ExactOrbitMethod({}).supports(problem).ok);
+  const Solution own = test::solve<ExactOrbitMethod>(problem, {});
+  const Solution asked = test::solve<ExactOrbitMethod>(problem, {.samples = 256});
+  ASSERT_EQ(own.verdict, Verdict::converged) << own.message;
+  ASSERT_EQ(asked.verdict, Verdict::converged) << asked.message;
+  EXPECT_LT(test::relative_distance(*own.trajectory, *asked.trajectory), 1e-10);
 }
 
 TEST(ExactOrbitMethod, AGuessIsTakenFirst) {
@@ -151,6 +156,28 @@ TEST(ExactOrbitMethod, FindsTheImpactsOfALooseMassInABox) {
   ASSERT_EQ(solution.trajectory->impulses().size(), 2U);
   for (const Impulse& impulse : solution.trajectory->impulses())
     EXPECT_NEAR(impulse.value, -0.00707761, 1e-8);
+}
+
+// The load is too weak to reach a stop: any mean within the clearances is a motion, and it is told as such.
+TEST(ExactOrbitMethod, TellsAMotionThatTouchesNothingAsOneOfAFamily) {
+  for (const double damping : {0.3, 0.0}) {
+    Problem floating = test::loose_mass(2.0, damping);
+    floating.frequency = 1.7;
+    floating.force = {{.dof = 0, .cos = 0.5}};
+    floating.contacts = {{.normal = {{0, 1.0}}, .gap = 0.3}, {.normal = {{0, -1.0}}, .gap = 0.25}};
+    for (const Law& law : {Law{Restitution{0.0}}, Law{Penalty{.stiffness = {50.0, 50.0}}}}) {
+      floating.law = law;
+      const Solution solution = test::solve<ExactOrbitMethod>(floating, {});
+      ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+      EXPECT_NE(solution.message.find("one of a family of free motions"), std::string::npos)
+          << solution.message;
+      const Eigen::VectorXd x = solution.trajectory->sample(4096).x.col(0);
+      const double amplitude = 0.5 / std::abs(std::complex<double>(-2.0 * 1.7 * 1.7, 1.7 * damping));
+      EXPECT_NEAR(0.5 * (x.maxCoeff() - x.minCoeff()), amplitude, 1e-6 * amplitude);
+      EXPECT_LE(x.maxCoeff(), 0.3);
+      EXPECT_GE(x.minCoeff(), -0.25);
+    }
+  }
 }
 
 TEST(ExactOrbitMethod, DoesNotMindAMassBesideTheProblem) {
