@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "methods/solvers/lcp/lcp.hpp"
+#include "problems/assembly/penalty_supports.hpp"
 #include "problems/definite_solver.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/singular_values.hpp"
@@ -61,8 +61,11 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
   }
 }
 
-/// The same to any size.
+/// The same to any size. A factorisation tells whether there is any.
 Eigen::MatrixXd null_space(const SparseMatrix& A) {
+  SparseMatrix one(A.rows(), A.cols());
+  one.setIdentity();
+  if (factorise_here(A - 2.0 * kNoSpring * one)->definite()) return Eigen::MatrixXd(A.rows(), 0);
   if (A.rows() > kMostByAllEigenvalues) return null_space_by_iteration(A);
   const SymmetricEigen all = symmetric_eigen(Eigen::MatrixXd(A));
   if (!all.converged || all.values[0] < -kNoSpring) return Eigen::MatrixXd(A.rows(), 0);
@@ -123,23 +126,6 @@ std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
   for (int i = 0; i < problem.size(); ++i)
     apart[static_cast<std::size_t>(i)] = !touched[static_cast<std::size_t>(root(i))];
   return apart;
-}
-
-/// A K that is singular beside rounding of its largest entries, by these; of no such entries as any other.
-SingularStiffness explained(const Problem& problem) {
-  constexpr double kRounding = 1e14;
-  const Eigen::VectorXd diagonal = problem.stiffness().diagonal();
-  Eigen::Index stiff = 0, soft = 0;
-  const double most = diagonal.maxCoeff(&stiff);
-  const double least =
-      diagonal.unaryExpr([](double k) { return k > 0.0 ? k : std::numeric_limits<double>::infinity(); })
-          .minCoeff(&soft);
-  if (!(most > kRounding * least)) return {};
-  return SingularStiffness{
-      fmt::format("stiffness of coordinate {} is {:.3g}, {:.1g} times that of coordinate {}, which is "
-                  "rounding beside it: leave a "
-                  "fixed coordinate out, or support it less stiffly",
-                  stiff, most, most / least, soft)};
 }
 
 /// m coordinates that hold R, Nd x m, in place: those of the largest pivots.
@@ -273,8 +259,10 @@ bool factorise_or_hold(const Problem& problem, const HarmonicWeights& weight, Dy
     return true;
   } catch (const SingularStiffness&) {
     if (weight.mass != 0.0 || weight.damping != 0.0) throw;
+    if (const std::string why = penalty_explanation(problem.stiffness()); !why.empty())
+      throw SingularStiffness(why);
     const Eigen::MatrixXd motions = rigid_motions(problem);
-    if (motions.cols() == 0) throw explained(problem);
+    if (motions.cols() == 0) throw SingularStiffness();
     fill_static_receptance(problem, motions, result);
     return false;
   }

@@ -5,6 +5,7 @@
 
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/block.hpp"
+#include "problems/assembly/penalty_supports.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/scene/scene_system.hpp"
 
@@ -196,9 +197,15 @@ SystemDescription read_shaft(const SceneField& system) {
   shaft.polar_inertia = read_polar_inertia(system["disc_polar_inertia"], shaft.disc_inertia);
   shaft.spin = system["spin"].number_or(0.0, "must be a finite number [rad/s]");
   const int size = 4 * (last + 1);
-  return damped_structure(
-      shaft, [shaft](const std::vector<int>&) { return assemble(shaft); },
+  auto undamped = std::make_shared<Structure>(assemble(shaft));
+  std::vector<std::string> notices;
+  std::vector<int> held = hold_supports(*undamped, notices);
+  SystemDescription description = damped_structure(
+      shaft, [undamped = std::move(undamped)](const std::vector<int>&) { return *undamped; },
       read_damping(system["damping"], size), size);
+  description.held = std::move(held);
+  description.notices = std::move(notices);
+  return description;
 }
 
 }  // namespace signorini

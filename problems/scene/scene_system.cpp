@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "problems/assembly/chain.hpp"
+#include "problems/assembly/penalty_supports.hpp"
 #include "problems/assembly/rotor.hpp"
 #include "problems/files/input_file.hpp"
 #include "problems/files/matrices/matrix_file.hpp"
@@ -41,8 +43,13 @@ SystemDescription independent_of_contacts(std::shared_ptr<const Structure> struc
 
 template <class Model>
 SystemDescription assembled(const Model& model) {
-  SystemDescription description = independent_of_contacts(std::make_shared<const Structure>(assemble(model)));
+  const auto structure = std::make_shared<Structure>(assemble(model));
+  std::vector<std::string> notices;
+  std::vector<int> held = hold_supports(*structure, notices);
+  SystemDescription description = independent_of_contacts(structure);
   description.layout = model;
+  description.held = std::move(held);
+  description.notices = std::move(notices);
   return description;
 }
 
@@ -255,46 +262,6 @@ void require_symmetric(const SceneField& system, const char* key, const SparseMa
                   skew / largest_entry(A), key, otherwise));
 }
 
-// Holds coordinates whose stiffness to the ground is a penalty, 1e20 N/m say, exactly at rest: they lose
-// their couplings and their mass. Beside such a number those of the structure are below rounding. \return
-// them
-std::vector<int> hold_supports(Structure& structure, std::vector<std::string>& notices) {
-  constexpr double kPenalty = 1e12;    // of the median of the diagonal
-  constexpr double kCoupling = 1e-10;  // of the diagonal: else it is a link to another coordinate
-  const Eigen::VectorXd diagonal = structure.stiffness.diagonal();
-  std::vector<double> sorted;
-  for (const double value : diagonal)
-    if (value > 0.0) sorted.push_back(value);
-  if (sorted.empty()) return {};
-  const auto middle = sorted.begin() + (std::ssize(sorted) - 1) / 2;
-  std::ranges::nth_element(sorted, middle);
-  const double usual = *middle;
-  if (diagonal.maxCoeff() <= kPenalty * usual) return {};
-  Eigen::VectorXd coupling = Eigen::VectorXd::Zero(diagonal.size());
-  for (int column = 0; column < structure.stiffness.outerSize(); ++column) {
-    for (SparseMatrix::InnerIterator entry(structure.stiffness, column); entry; ++entry)
-      if (entry.row() != column) coupling(column) = std::max(coupling(column), std::abs(entry.value()));
-  }
-  std::vector<int> held;
-  const auto is_held = [&](Eigen::Index i) {
-    return diagonal(i) > kPenalty * usual && coupling(i) <= kCoupling * diagonal(i);
-  };
-  for (int i = 0; i < diagonal.size(); ++i) {
-    if (!is_held(i)) continue;
-    held.push_back(i);
-    notices.push_back(
-        fmt::format("stiffness: {:.3g} N/m at coordinate {}, {:.1g} times the median, is a support "
-                    "by penalty: the coordinate is held at rest, and loads on it move nothing",
-                    diagonal(i), i, diagonal(i) / usual));
-  }
-  for (SparseMatrix* A : {&structure.mass, &structure.damping, &structure.stiffness})
-    A->prune(
-        [&](Eigen::Index row, Eigen::Index column, double) { return !is_held(row) && !is_held(column); });
-  for (const int i : held) structure.stiffness.coeffRef(i, i) = usual;
-  structure.stiffness.makeCompressed();
-  return held;
-}
-
 SystemDescription read_matrices(const SceneField& system) {
   system.allow_only({"kind", "mass", "damping", "rayleigh", "modal", "stiffness", "gyroscopic", "circulatory",
                      "symmetric_part"},
@@ -306,14 +273,22 @@ SystemDescription read_matrices(const SceneField& system) {
   require_symmetric(system, "mass", structure->mass, "");
   files.read("stiffness", structure->mass.rows()).swap(structure->stiffness);
   require_symmetric(system, "stiffness", structure->stiffness, "; what is meant is a circulatory matrix");
+  std::vector<std::string> notices;
+  std::vector<int> held = hold_supports(*structure, notices);
   read_matrix_damping(system, *structure, files).swap(structure->damping);
   add_skew_matrix(system, "gyroscopic", files, structure->damping);
   add_skew_matrix(system, "circulatory", files, structure->stiffness);
-  std::vector<std::string> notices = files.take_notices();
-  std::vector<int> held = hold_supports(*structure, notices);
+  if (!held.empty()) {
+    uncouple(structure->damping, held);
+    const Eigen::VectorXd diagonal = structure->stiffness.diagonal();
+    uncouple(structure->stiffness, held);  // of its circulatory part, too
+    for (const int i : held) structure->stiffness.coeffRef(i, i) = diagonal[i];
+    structure->stiffness.makeCompressed();
+  }
   SystemDescription description = independent_of_contacts(std::move(structure));
   description.held = std::move(held);
-  description.notices = std::move(notices);
+  description.notices = files.take_notices();
+  std::ranges::move(notices, std::back_inserter(description.notices));
   for (const char* key : kMatrixKeys) {
     const SceneField matrix = system[key];
     if (matrix.given()) description.files.push_back(file_beside(matrix, matrix.text("must be a file")));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <string>
 
 #include "methods/structure/receptance.hpp"
 #include "problems/assembly/chain.hpp"
@@ -46,6 +47,24 @@ TEST(RigidMotions, AreNoneOfStructuresOnSpringsHoweverDifferentTheirUnits) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3, 3);
   K.diagonal() << 1e-8, 1.0, 1e20;
   EXPECT_EQ(rigid_motions(of_matrices(Eigen::MatrixXd::Identity(3, 3), K)).cols(), 0);
+}
+
+TEST(RigidMotions, AreNotTakenForRoundingBesideAStiffLink) {
+  Problem linked = free_chain(3, 1.0);
+  linked.edit_structure([](Structure& s) {
+    s.stiffness.coeffRef(2, 2) += 1.0;
+    for (const int i : {0, 1}) s.stiffness.coeffRef(i, i) += 1e20;
+    s.stiffness.coeffRef(0, 1) = s.stiffness.coeffRef(1, 0) = -1e20;
+  });
+  linked.frequency = 0.9;
+  linked.contacts = {{.normal = {{2, 1.0}}, .gap = 0.5}};
+  try {
+    static_cast<void>(fourier_receptance(linked, 4));
+    ADD_FAILURE() << "a K of rounding was taken";
+  } catch (const SingularStiffness& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("stiffness between coordinates 0 and 1 is 1e+20 N/m, "))
+        << error.what();
+  }
 }
 
 TEST(RigidMotions, OfPartsAreOnePerPart) {
