@@ -7,8 +7,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -19,6 +17,7 @@
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/isolation/child_process.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -37,9 +36,7 @@ fs::path reducer() {
 }
 
 std::vector<std::string> words_of(const ReductionOrder& order, const MpiLaunch& launch) {
-  std::vector<std::string> words;
-  boost::algorithm::split(words, launch.launcher, boost::algorithm::is_any_of(" "),
-                          boost::algorithm::token_compress_on);
+  std::vector<std::string> words = split(launch.launcher, ' ');
   std::erase(words, "");
   if (words.empty()) throw UsageError("launcher (must name a command)");
   for (const std::string& word : {std::string("-n"), std::to_string(launch.processes), reducer().string(),

@@ -1,10 +1,10 @@
 #include "harness/run_folder/run_folder.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -144,6 +144,15 @@ Json build() {
   return json;
 }
 
+/// "2026-03-01T12:00:00Z".
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  std::array<char, 24> text{};
+  gmtime_r(&now, &utc);
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
 }  // namespace
 
 void visit_fields(Either<Limits> auto& limits, auto&& field) {
@@ -242,7 +251,7 @@ Json program_manifest(const std::vector<std::string>& command_line) {
   std::vector<std::string> words;
   std::ranges::transform(command_line, std::back_inserter(words), as_message);
   return {{"schema", 1},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+          {"date", utc_now()},
           {"command_line", words},
           {"build", build()},
           {"machine", machine()}};

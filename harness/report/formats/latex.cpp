@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,23 +26,60 @@ std::string columns_of(const Table& table) {
   return columns;
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_word(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// The first place from `at` on that no digit stands at.
+std::size_t after_digits(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_digit(text[at])) ++at;
+  return at;
+}
+
+/// A number as 1.2e-03 is one, from `begin` to `end`.
+struct PowerOfTen {
+  std::string_view mantissa, sign, exponent;
+  std::size_t end = 0;
+};
+
+/// The number that begins at `begin` and is no part of a word.
+std::optional<PowerOfTen> power_of_ten(std::string_view text, std::size_t begin) {
+  if (!is_digit(text[begin]) || (begin > 0 && is_word(text[begin - 1]))) return std::nullopt;
+  std::size_t e = begin + 1;
+  if (text.substr(e).starts_with('.') && after_digits(text, e + 1) > e + 1) e = after_digits(text, e + 1);
+  if (!text.substr(e).starts_with("e+") && !text.substr(e).starts_with("e-")) return std::nullopt;
+  const std::size_t end = after_digits(text, e + 2);
+  if (end == e + 2 || (end < text.size() && is_word(text[end]))) return std::nullopt;
+  const std::size_t first = std::min(text.find_first_not_of('0', e + 2), end - 1);
+  return PowerOfTen{.mantissa = text.substr(begin, e - begin),
+                    .sign = text[e + 1] == '-' ? "-" : "",
+                    .exponent = text.substr(first, end - first),
+                    .end = end};
+}
+
 /// A cell as journals print it: 1.2e-03 as a power of ten, us as microseconds. Names of settings stay as they
 /// are typed.
 std::string latex_cell(const std::string& text) {
-  static const std::regex power(R"(\b(\d(?:\.\d+)?)e([+-])0*(\d+)\b)"), micro(" us\\b");
+  constexpr std::string_view kMicroseconds = " us";
   const std::string spelled = latex_escaped(text);
   if (text.find_first_of("[]=") != std::string::npos) return spelled;
   std::string written;
-  std::size_t from = 0;
-  for (std::sregex_iterator at(spelled.begin(), spelled.end(), power), end; at != end; ++at) {
-    const auto place = static_cast<std::size_t>(at->position());
-    written += spelled.substr(from, place - from);
-    written += at->str(3) == "0" ? at->str(1)
-                                 : fmt::format("${}\\cdot10^{{{}{}}}$", at->str(1),
-                                               at->str(2) == "-" ? "-" : "", at->str(3));
-    from = place + static_cast<std::size_t>(at->length());
+  for (std::size_t i = 0; i < spelled.size();) {
+    const std::size_t after = i + kMicroseconds.size();
+    if (const auto number = power_of_ten(spelled, i)) {
+      written += number->exponent == "0"
+                     ? std::string(number->mantissa)
+                     : fmt::format("${}\\cdot10^{{{}{}}}$", number->mantissa, number->sign, number->exponent);
+      i = number->end;
+    } else if (spelled.compare(i, kMicroseconds.size(), kMicroseconds) == 0 &&
+               (after == spelled.size() || !is_word(spelled[after]))) {
+      written += " $\\mu$s";
+      i = after;
+    } else {
+      written += spelled[i++];
+    }
   }
-  return std::regex_replace(written + spelled.substr(from), micro, " $$\\mu$$s");
+  return written;
 }
 
 }  // namespace
