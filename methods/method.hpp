@@ -18,7 +18,7 @@ namespace signorini {
 struct Undetermined {};
 
 /// The law a method represents on a scene. std::monostate: no contact.
-using RepresentedLaw = std::variant<std::monostate, Restitution, Penalty, Massless, Undetermined>;
+using RepresentedLaw = std::variant<std::monostate, Restitution, Penalty, Massless, Undetermined, MixedLaws>;
 
 /// Whether a method applies to a scene; if not, `reason` is printed in the table's cell.
 struct Support {
@@ -77,8 +77,15 @@ class Method {
   [[nodiscard]] virtual const CurveMethod* curve() const { return nullptr; }
 };
 
+/// The law represented at one contact; Massless where none is determined.
+ContactLaw law_of_contact(const RepresentedLaw& law, int contact);
+/// e of a restitution; 1 of other laws, which lose nothing [-].
+double restitution_of(const ContactLaw& law);
+
 /// The scene's own law as one that is represented.
 RepresentedLaw as_represented(const Law& law);
+/// For methods that know one law only: whether the contacts have one; if not, two that differ are named.
+Support supports_one_law(const Problem& problem);
 /// True if the represented law is the scene's own.
 bool law_matches(const RepresentedLaw& represented, const Law& scene);
 

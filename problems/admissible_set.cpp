@@ -257,7 +257,11 @@ std::string listed(const Stops& stops) {
 
 }  // namespace
 
-std::optional<StopConflict> stop_conflict(const std::vector<Contact>& contacts) {
+std::optional<StopConflict> stop_conflict(std::vector<Contact> contacts) {
+  // A spring gives way: far from its stop, on a coordinate of its own, it excludes nothing.
+  int own = std::numeric_limits<int>::max();
+  for (Contact& contact : contacts)
+    if (std::holds_alternative<Spring>(contact.law)) contact = {.normal = {{own--, 1.0}}, .gap = 1.0};
   if (std::ranges::all_of(contacts, [](const Contact& contact) { return contact.gap > 0.0; })) return {};
   Rooms rooms;
   if (auto conflict = conflict_along_a_line(contacts, rooms)) return conflict;

@@ -27,7 +27,9 @@ struct StopConflict {
 /// to 1e-12 of their largest term, normals in units of their length and gaps in units of the largest of a
 /// group.
 ///
+/// Stops that are springs give way: they exclude nothing.
+///
 /// \return nothing where they leave room
-std::optional<StopConflict> stop_conflict(const std::vector<Contact>& contacts);
+std::optional<StopConflict> stop_conflict(std::vector<Contact> contacts);
 
 }  // namespace signorini

@@ -16,15 +16,15 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-void require_positive(double value, const std::string& field, std::size_t stop, const std::string& unit) {
+void require_positive(double value, const char* key, int contact, const std::string& unit) {
   if (std::isfinite(value) && value > 0.0) return;
-  throw InvalidProblem(fmt::format("{}[{}]", field, stop), fmt::format("{}", value),
+  throw InvalidProblem(fmt::format("contact[{}].{}", contact, key), fmt::format("{}", value),
                        fmt::format("must be a positive number [{}]", unit));
 }
 
 // What validate() will not see once the contact acts on the face.
-void require_direction(const DampedStop& stop, std::size_t contact) {
-  const std::string field = fmt::format("contact[{}].normal", contact);
+void require_direction(const DampedStop& stop) {
+  const std::string field = fmt::format("contact[{}].normal", stop.contact);
   std::set<int> seen;
   for (const auto& [dof, coefficient] : stop.normal) {
     if (!seen.insert(dof).second)
@@ -56,12 +56,6 @@ void add_element(Triplets& entries, const DampedStop& stop, int face, double fac
   }
 }
 
-void require_one_each(const std::vector<double>& values, std::size_t contacts, const std::string& field) {
-  if (values.size() == contacts) return;
-  throw InvalidProblem(field, fmt::format("{} values", values.size()),
-                       fmt::format("must be one number, or one per contact: {}", contacts));
-}
-
 }  // namespace
 
 void damp_stops(Problem& problem, const std::vector<DampedStop>& stops) {
@@ -69,13 +63,15 @@ void damp_stops(Problem& problem, const std::vector<DampedStop>& stops) {
   Triplets springs, dampers;
   for (std::size_t j = 0; j < stops.size(); ++j) {
     const DampedStop& stop = stops[j];
-    require_direction(stop, j);
-    require_positive(stop.stiffness, "law.penalty", j, "N/m");
-    require_positive(stop.damping, "law.damping", j, "N s/m");
+    require_direction(stop);
+    require_positive(stop.stiffness, "penalty", stop.contact, "N/m");
+    require_positive(stop.damping, "damper", stop.contact, "N s/m");
     const int face = first + static_cast<int>(j);
     add_element(springs, stop, face, stop.stiffness);
     add_element(dampers, stop, face, stop.damping);
-    problem.contacts[j].normal = {{face, 1.0}};
+    Contact& contact = problem.contacts[static_cast<std::size_t>(stop.contact)];
+    contact.normal = {{face, 1.0}};
+    contact.law = Massless{};
   }
   const int size = first + static_cast<int>(stops.size());
   problem.edit_structure([&](Structure& s) {
@@ -85,20 +81,9 @@ void damp_stops(Problem& problem, const std::vector<DampedStop>& stops) {
   });
 }
 
-std::vector<DampedStop> damped_stops(const std::vector<Contact>& contacts,
-                                     const std::vector<double>& stiffness,
-                                     const std::vector<double>& damping) {
-  require_one_each(stiffness, contacts.size(), "law.penalty");
-  require_one_each(damping, contacts.size(), "law.damping");
-  std::vector<DampedStop> stops;
-  for (std::size_t j = 0; j < contacts.size(); ++j)
-    stops.push_back({.normal = contacts[j].normal, .stiffness = stiffness[j], .damping = damping[j]});
-  return stops;
-}
-
 std::vector<Contact> contacts_of_structure(std::vector<Contact> contacts,
                                            const std::vector<DampedStop>& stops) {
-  for (std::size_t j = 0; j < stops.size(); ++j) contacts[j].normal = stops[j].normal;
+  for (const DampedStop& stop : stops) contacts[static_cast<std::size_t>(stop.contact)].normal = stop.normal;
   return contacts;
 }
 

@@ -11,13 +11,14 @@ namespace signorini {
 
 /// A stop that is a spring and a damper side by side.
 struct DampedStop {
+  int contact = 0;  ///< that it stops
   std::vector<std::pair<int, double>> normal =
       {};                  ///< of the structure that it stops, (dof, coefficient [-])
   double stiffness = 0.0;  ///< k > 0 [N/m]
   double damping = 0.0;    ///< c > 0 [N s/m]
 };
 
-/// Gives the stop of every contact a spring k_j and a damper c_j side by side, compressed by s_j >= 0:
+/// Gives the stops of some contacts a spring k_j and a damper c_j side by side, compressed by s_j >= 0:
 ///
 ///     k_j s_j + c_j s_j' = -lambda_j,    w_j^T u - s_j <= g_j,   lambda_j <= 0,   complementary.
 ///
@@ -28,20 +29,14 @@ struct DampedStop {
 ///
 ///     K + sum k_j n_j n_j^T,   D + sum c_j n_j n_j^T,   n_j = (w_j, -1) of (u, y_j),
 ///
-/// without mass, hence without an impact law: the law of the scene is Massless. Nothing is approximated.
-/// Faces are the last Nc coordinates, in the order of the contacts.
+/// without mass, hence without an impact law: Massless is its law. Nothing is approximated. Faces are the
+/// last coordinates, in the order of the stops.
 ///
 /// \param problem  its contacts on the structure
-/// \param stops    Nc, their normals those of the contacts
+/// \param stops    by contact, their normals those of the contacts
 /// \throws InvalidProblem for constants that are not positive and for normals that are zero or name a
 /// coordinate twice
 void damp_stops(Problem& problem, const std::vector<DampedStop>& stops);
-
-/// The stops of some contacts: of each its normal, k_j and c_j.
-/// \throws InvalidProblem for other numbers of them than contacts
-std::vector<DampedStop> damped_stops(const std::vector<Contact>& contacts,
-                                     const std::vector<double>& stiffness,
-                                     const std::vector<double>& damping);
 
 /// Takes the faces out of the contacts of a scene with damped stops, for those who tell or draw it: its
 /// contacts as the structure meets them. Without stops the contacts are left as they are.

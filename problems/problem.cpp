@@ -4,6 +4,10 @@
 #include <cmath>
 #include <complex>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "problems/matrix_properties.hpp"
 #include "problems/sparse_cholesky.hpp"
@@ -31,6 +35,53 @@ Eigen::VectorXd reduced(const SparseMatrix& A, const SparseMatrix& W) {
 
 }  // namespace
 
+Law common_law(const std::vector<ContactLaw>& laws) {
+  if (laws.empty()) return {};
+  const auto all = [&laws](const auto& is) { return std::ranges::all_of(laws, is); };
+  if (all([](const ContactLaw& law) { return std::holds_alternative<Spring>(law); })) {
+    Penalty springs;
+    for (const ContactLaw& law : laws) springs.stiffness.push_back(std::get<Spring>(law).stiffness);
+    return springs;
+  }
+  if (!all([&laws](const ContactLaw& law) { return law == laws.front(); })) return MixedLaws{laws};
+  if (const auto* restitution = std::get_if<Restitution>(&laws.front())) return *restitution;
+  return Massless{};
+}
+
+Law Problem::law() const {
+  std::vector<ContactLaw> laws;
+  for (const Contact& contact : contacts) laws.push_back(contact.law);
+  return common_law(laws);
+}
+
+namespace {
+
+void require_one_law_each(std::size_t laws, std::size_t contacts) {
+  if (laws != contacts)
+    throw std::invalid_argument("laws = " + std::to_string(laws) +
+                                " (must be one per contact: " + std::to_string(contacts) + ")");
+}
+
+struct SetLaws {
+  std::vector<Contact>& contacts;
+  void operator()(std::monostate) const { (*this)(Massless{}); }
+  void operator()(const auto& same) const {
+    for (Contact& contact : contacts) contact.law = same;
+  }
+  void operator()(const Penalty& springs) const {
+    require_one_law_each(springs.stiffness.size(), contacts.size());
+    for (std::size_t j = 0; j < contacts.size(); ++j) contacts[j].law = Spring{springs.stiffness[j]};
+  }
+  void operator()(const MixedLaws& mixed) const {
+    require_one_law_each(mixed.laws.size(), contacts.size());
+    for (std::size_t j = 0; j < contacts.size(); ++j) contacts[j].law = mixed.laws[j];
+  }
+};
+
+}  // namespace
+
+void Problem::set_law(const Law& law) { std::visit(SetLaws{contacts}, law); }
+
 Problem with_subharmonic(Problem problem, int order) {
   problem.subharmonic = order;
   return problem;
@@ -51,6 +102,26 @@ SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size) 
   SparseMatrix W(size, count);
   W.setFromTriplets(entries.begin(), entries.end());
   return W;
+}
+
+Eigen::VectorXd stop_compliance(const Problem& problem) {
+  Eigen::VectorXd compliance = Eigen::VectorXd::Zero(problem.contact_count());
+  for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
+    if (const auto* spring = std::get_if<Spring>(&problem.contacts[j].law))
+      compliance[static_cast<Eigen::Index>(j)] = 1.0 / spring->stiffness;
+  }
+  return compliance;
+}
+
+bool has_impacts(const Problem& problem) {
+  return std::ranges::any_of(problem.contacts, [](const Contact& contact) {
+    return std::holds_alternative<Restitution>(contact.law);
+  });
+}
+
+bool has_springs(const Problem& problem) {
+  return std::ranges::any_of(
+      problem.contacts, [](const Contact& contact) { return std::holds_alternative<Spring>(contact.law); });
 }
 
 Eigen::VectorXd contact_gaps(const Problem& problem) {

@@ -34,27 +34,52 @@ struct FrameTerm {
   double sin = 0.0;  ///< [m]
 };
 
+/// Newton's impact law, x'_+ = -e x'_-, at contact coordinates that carry mass.
+struct Restitution {
+  double e = 1.0;  ///< [-], 0 <= e <= 1
+  /// Whether the coefficients are the same number.
+  bool operator==(const Restitution&) const = default;
+};
+
+/// The stop is a spring: lambda = -stiffness * max(0, x - gap).
+struct Spring {
+  double stiffness = 0.0;  ///< k > 0 [N/m]
+  /// Whether the stiffnesses are the same number.
+  bool operator==(const Spring&) const = default;
+};
+
+/// The contact coordinate carries no mass: Signorini's conditions alone determine the motion.
+struct Massless {
+  /// True.
+  bool operator==(const Massless&) const = default;
+};
+
+/// What happens when a contact closes.
+using ContactLaw = std::variant<Massless, Restitution, Spring>;
+
 /// One unilateral contact, x = sum of coefficient * u[dof] <= gap.
 struct Contact {
   std::vector<std::pair<int, double>> normal;  ///< (dof, coefficient [-]), at least one nonzero
   double gap = 0.0;                            ///< [m], 0 or negative (preload) allowed
+  ContactLaw law = Massless{};                 ///< its own: each contact has one
 };
 
-/// Newton's impact law, x'_+ = -e x'_-, at contact coordinates that carry mass.
-struct Restitution {
-  double e = 1.0;  ///< [-], 0 <= e <= 1
-};
-
-/// The stop is a spring: lambda = -stiffness * max(0, x - gap), one stiffness per contact.
+/// Springs as stops, one stiffness per contact.
 struct Penalty {
   std::vector<double> stiffness;  ///< Nc, > 0 [N/m]
 };
 
-/// No contact coordinate carries mass: Signorini's conditions alone determine the motion.
-struct Massless {};
+/// Contacts of different laws.
+struct MixedLaws {
+  std::vector<ContactLaw> laws;  ///< Nc
+};
 
-/// What happens when a contact closes. std::monostate: the scene has no contact.
-using Law = std::variant<std::monostate, Restitution, Penalty, Massless>;
+/// The laws of the contacts of a scene as one, for those who tell it and for methods that know one law only.
+/// std::monostate: the scene has no contact.
+using Law = std::variant<std::monostate, Restitution, Penalty, Massless, MixedLaws>;
+
+/// The laws of contacts as one: MixedLaws where they are of different kinds or restitutions.
+Law common_law(const std::vector<ContactLaw>& laws);
 
 /// A linear structure with unilateral contacts under periodic forcing,
 ///
@@ -79,7 +104,12 @@ struct Problem {
   std::vector<ForceTerm> force;   ///< f(t) is the sum of them
   std::vector<FrameTerm> frame;   ///< r(t) is the sum of them; its loads are in `force`; empty: no stop moves
   std::vector<Contact> contacts;  ///< Nc of them, may be empty
-  Law law;                        ///< monostate exactly where there is no contact
+
+  /// The laws of the contacts as one (common_law).
+  [[nodiscard]] Law law() const;
+  /// Gives all contacts this law, those of Penalty and MixedLaws in their order; std::monostate: none, as of
+  /// contacts without mass. \throws std::invalid_argument for other numbers of them than contacts
+  void set_law(const Law& law);
 
   /// M, Nd x Nd [kg].
   [[nodiscard]] const SparseMatrix& mass() const { return structure->mass; }
@@ -115,6 +145,14 @@ Problem with_subharmonic(Problem problem, int order);
 SparseMatrix contact_directions(const Problem& problem);
 /// The directions of any list of contacts on a structure of `size` coordinates, size x contacts.size() [-].
 SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size);
+
+/// 1 / k of stops that are springs, 0 of the others, Nc [m/N].
+Eigen::VectorXd stop_compliance(const Problem& problem);
+
+/// Whether some contact takes impulses: it has a restitution.
+bool has_impacts(const Problem& problem);
+/// Whether some stop is a spring.
+bool has_springs(const Problem& problem);
 
 /// g, Nc [m].
 Eigen::VectorXd contact_gaps(const Problem& problem);

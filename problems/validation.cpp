@@ -196,53 +196,44 @@ void check_contacts(const Problem& problem) {
   }
 }
 
-void check_penalty(const Penalty& penalty, const Problem& problem) {
-  require(penalty.stiffness.size() == problem.contacts.size(), "law.penalty",
-          fmt::format("{} values", penalty.stiffness.size()),
-          fmt::format("must be one number, or one per contact: {}", problem.contacts.size()));
-  for (std::size_t j = 0; j < penalty.stiffness.size(); ++j) {
-    const double stiffness = penalty.stiffness[j];
-    const std::string field = fmt::format("law.penalty[{}]", j);
-    require(std::isfinite(stiffness) && stiffness > 0.0, field, fmt::format("{}", stiffness),
-            "must be a positive number [N/m]");
-    require_magnitude(stiffness, field);
-  }
-}
-
 // An impact on a normal with massless coordinates would have nothing to push: its inverse mass is infinite.
-void check_impact_mass(const Problem& problem) {
+void check_impact_mass(const Problem& problem, std::size_t contact) {
   const Eigen::VectorXd inertia = problem.mass().diagonal();
-  for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
-    for (const auto& [dof, coefficient] : problem.contacts[j].normal) {
-      require(coefficient == 0.0 || inertia(dof) > 0.0, fmt::format("contact[{}].normal", j),
-              "partly massless", "under a restitution law every coordinate of a normal must carry mass");
-    }
+  for (const auto& [dof, coefficient] : problem.contacts[contact].normal) {
+    require(coefficient == 0.0 || inertia(dof) > 0.0, fmt::format("contact[{}].normal", contact),
+            "partly massless", "under a restitution law every coordinate of a normal must carry mass");
   }
 }
 
-// A rigid stop needs an impact law exactly where it meets mass.
-void check_rigid_law(const Problem& problem) {
-  const std::vector<bool> massive = contacts_with_mass(problem);
-  const auto massless = std::find(massive.begin(), massive.end(), false);
-  const auto* restitution = std::get_if<Restitution>(&problem.law);
-  if (massless == massive.end()) {
-    require(restitution != nullptr, "law.restitution", "missing",
+// Whether a contact has the law that it needs: a rigid stop an impact law exactly where it meets mass.
+struct ContactLawCheck {
+  const Problem& problem;
+  const std::vector<bool>& massive;
+  std::size_t contact;
+
+  [[nodiscard]] std::string field(const char* key) const {
+    return fmt::format("contact[{}].{}", contact, key);
+  }
+  void operator()(Massless) const {
+    require(!massive[contact], field("restitution"), "missing",
             "required, in 0..1, unless a penalty is given: the contact coordinates carry mass");
-    require(restitution->e >= 0.0 && restitution->e <= 1.0, "law.restitution",
-            fmt::format("{}", restitution->e), "must be in 0..1");
-    check_impact_mass(problem);
-    return;
   }
-  require(std::find(massive.begin(), massive.end(), true) == massive.end(),
-          fmt::format("contact[{}]", massless - massive.begin()), "massless",
-          "beside contacts that carry mass only a penalty law will do: all or none must carry mass");
-  if (restitution != nullptr) {
-    throw InvalidProblem("law.restitution", fmt::format("{}", restitution->e),
-                         "must be absent: no contact coordinate carries mass");
+  void operator()(const Restitution& law) const {
+    if (!massive[contact]) {
+      require(std::ranges::find(massive, true) == massive.end(), fmt::format("contact[{}]", contact),
+              "massless", "needs massless = true beside contacts that carry mass: no restitution is for it");
+      throw InvalidProblem(field("restitution"), fmt::format("{}", law.e),
+                           "must be absent: no contact coordinate carries mass");
+    }
+    require(law.e >= 0.0 && law.e <= 1.0, field("restitution"), fmt::format("{}", law.e), "must be in 0..1");
+    check_impact_mass(problem, contact);
   }
-  require(std::holds_alternative<Massless>(problem.law), "law", "none",
-          "must be massless: no contact coordinate carries mass");
-}
+  void operator()(const Spring& spring) const {
+    require(std::isfinite(spring.stiffness) && spring.stiffness > 0.0, field("penalty"),
+            fmt::format("{}", spring.stiffness), "must be a positive number [N/m]");
+    require_magnitude(spring.stiffness, field("penalty"));
+  }
+};
 
 void check_room(const Problem& problem) {
   const auto conflict = stop_conflict(problem.contacts);
@@ -252,16 +243,12 @@ void check_room(const Problem& problem) {
                        conflict->requirement);
 }
 
-void check_law(const Problem& problem) {
-  if (problem.contacts.empty()) {
-    require(std::holds_alternative<std::monostate>(problem.law), "law", "given",
-            "must be absent: the scene has no contact");
-  } else if (const auto* penalty = std::get_if<Penalty>(&problem.law)) {
-    check_penalty(*penalty, problem);
-  } else {
-    check_rigid_law(problem);
-    check_room(problem);
-  }
+void check_laws(const Problem& problem) {
+  if (problem.contacts.empty()) return;
+  const std::vector<bool> massive = contacts_with_mass(problem);
+  for (std::size_t j = 0; j < problem.contacts.size(); ++j)
+    std::visit(ContactLawCheck{problem, massive, j}, problem.contacts[j].law);
+  check_room(problem);
 }
 
 }  // namespace
@@ -271,7 +258,7 @@ void validate(const Problem& problem, Definiteness definiteness) {
   check_forcing(problem);
   check_frame(problem);
   check_contacts(problem);
-  check_law(problem);
+  check_laws(problem);
 }
 
 }  // namespace signorini

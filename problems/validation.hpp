@@ -34,10 +34,9 @@ enum class Definiteness { to_be_checked, by_construction, not_judged };
 /// Checks every invariant that `Problem` states; a Problem that passes is safe for every method.
 /// Sizes agree; all numbers finite; M and the symmetric parts of K and D semi-definite, M symmetric, not
 /// zero; frequency > 0; dofs in range; normals nonzero; 0 <= e <= 1 exactly where a contact carries mass.
-/// Also: M and the symmetric parts of D and K have no null vector in common;
-/// subharmonic in 1..64, load harmonics in 0..10000, no sine at harmonic 0; unless the law is a penalty, all
-/// contacts carry mass (on every coordinate of their normals) or none does. `name` and `kind` are not looked
-/// at.
+/// Also: M and the symmetric parts of D and K have no null vector in common; subharmonic in 1..64, load
+/// harmonics in 0..10000, no sine at harmonic 0; under a restitution all coordinates of a normal carry mass.
+/// `name` and `kind` are not looked at.
 ///
 /// With Definiteness::by_construction it is taken for granted that M, K and the symmetric part of D are
 /// semi-definite and have no null vector in common; of these, only diagonals are looked at.

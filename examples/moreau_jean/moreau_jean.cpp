@@ -148,14 +148,15 @@ class MoreauJean final : public signorini::Method {
   }
 
   [[nodiscard]] signorini::Support supports(const Problem& problem) const override {
-    if (std::holds_alternative<signorini::Penalty>(problem.law)) return {false, "a spring is no rigid stop"};
+    if (signorini::has_springs(problem)) return {false, "a spring is no rigid stop"};
+    if (const auto one = signorini::supports_one_law(problem); !one.ok) return one;
     const Eigen::VectorXd mass = problem.mass().diagonal();
     if ((mass.array() <= 0.0).any()) return {false, "coordinates without mass have no velocity to step"};
     return {};
   }
 
   [[nodiscard]] signorini::RepresentedLaw law(const Problem& problem) const override {
-    return std::visit([](const auto& law) -> signorini::RepresentedLaw { return law; }, problem.law);
+    return std::visit([](const auto& law) -> signorini::RepresentedLaw { return law; }, problem.law());
   }
 
   [[nodiscard]] std::unique_ptr<signorini::PreparedMethod> prepare(const Problem& problem) const override;

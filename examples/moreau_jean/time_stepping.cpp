@@ -13,7 +13,8 @@ TimeStepping::TimeStepping(const signorini::Problem& problem, double h, double t
       W_(contact_directions(problem)),
       gaps_(contact_gaps(problem)),
       p_(Eigen::VectorXd::Zero(problem.contact_count())) {
-  if (const auto* law = std::get_if<signorini::Restitution>(&problem.law)) e_ = law->e;
+  const signorini::Law scene_law = problem.law();
+  if (const auto* law = std::get_if<signorini::Restitution>(&scene_law)) e_ = law->e;
   const double a = h * theta;
   A_.compute(signorini::SparseMatrix(problem.mass() + a * problem.damping() + a * a * problem.stiffness()));
   if (A_.info() != Eigen::Success) throw std::runtime_error("the matrix of a step cannot be factorised");

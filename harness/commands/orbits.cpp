@@ -80,7 +80,7 @@ std::string orbit_notes(const std::vector<FoundOrbit>& orbits) {
 
 /// Half of largest less least displacement, between the samples of the search too.
 double exact_amplitude(const Problem& problem, const Trajectory& motion) {
-  const MotionSummary summary = summarise_motion(problem, as_represented(problem.law), motion,
+  const MotionSummary summary = summarise_motion(problem, as_represented(problem.law()), motion,
                                                  sample_motion(problem, motion), {.harmonics = 0});
   double largest = 0.0;
   for (const DisplacementSummary& one : summary.x) largest = std::max(largest, one.amplitude);

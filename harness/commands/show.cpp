@@ -171,10 +171,11 @@ std::string contact_text(const Problem& problem, const Contact& contact, int num
     text += (size == 1.0 ? "" : fmt::format("{:g} ", size)) + fmt::format("u[{}]", dof);
   }
   const std::string motion = problem.frame.empty() ? "" : motion_text(stop_motion(problem, number));
-  return fmt::format("{} <= {:g}{} m", text, contact.gap, motion);
+  return fmt::format("{} <= {:g}{} m{}", text, contact.gap, motion, contact.gap < 0.0 ? ", a preload" : "");
 }
 
 std::string law_words(const Law& law) {
+  if (std::holds_alternative<MixedLaws>(law)) return "one for each contact";
   const char* stops = std::holds_alternative<Restitution>(law) ? "rigid stops, "
                       : std::holds_alternative<Penalty>(law)   ? "springs as stops, "
                                                                : "";
@@ -246,11 +247,15 @@ void show_forcing(const Scene& scene) {
                     load.samples, load.harmonics(), load.left_out_rms, load.left_out_max));
 }
 
-/// ", stop of 100 N/m and 4 N s/m, face u[1]"
+/// ", stop of 100 N/m and 4 N s/m, face u[1]", and the law of each contact where they differ.
 std::string stop_text(const Problem& problem, const std::vector<DampedStop>& damped, std::size_t number) {
-  if (damped.empty()) return "";
-  return fmt::format(", stop of {:g} N/m and {:g} N s/m, face u[{}]", damped[number].stiffness,
-                     damped[number].damping, problem.contacts[number].normal.front().first);
+  const Contact& contact = problem.contacts[number];
+  const auto stop = std::ranges::find(damped, static_cast<int>(number), &DampedStop::contact);
+  if (stop != damped.end())
+    return fmt::format(", stop of {:g} N/m and {:g} N s/m, face u[{}]", stop->stiffness, stop->damping,
+                       contact.normal.front().first);
+  if (!std::holds_alternative<MixedLaws>(problem.law())) return "";
+  return ", " + law_text(as_represented(common_law({contact.law})));
 }
 
 void show_contacts(const Problem& problem, const std::vector<DampedStop>& damped) {
@@ -279,7 +284,8 @@ void show_scene(const Scene& scene, const std::vector<DampedStop>& damped,
   show_eigenfrequencies(problem);
   show_forcing(scene);
   show_contacts(problem, damped);
-  show_line("law", (damped.empty() ? "" : "springs with dampers as stops, faces ") + law_words(problem.law));
+  const bool all_damped = !damped.empty() && damped.size() == problem.contacts.size();
+  show_line("law", (all_damped ? "springs with dampers as stops, faces " : "") + law_words(problem.law()));
 }
 
 void show_method(const MethodEntry& entry) {

@@ -108,7 +108,7 @@ struct LawDefect {
     return problem.contacts.empty() ? "" : "it represents no law, and the scene has contacts";
   }
   std::string operator()(const Restitution& law) const {
-    if (!std::holds_alternative<Restitution>(problem.law))
+    if (!std::holds_alternative<Restitution>(problem.law()))
       return "it represents a restitution, and the scene has none";
     return law.e >= 0.0 && law.e <= 1.0 ? "" : fmt::format("it represents e = {} (must be in [0, 1])", law.e);
   }
@@ -123,9 +123,16 @@ struct LawDefect {
     return {};
   }
   std::string operator()(const Massless&) const {
-    return std::holds_alternative<Massless>(problem.law)
+    return std::holds_alternative<Massless>(problem.law())
                ? ""
                : "it represents massless contacts, and these have mass";
+  }
+  std::string operator()(const MixedLaws& mixed) const {
+    if (std::ssize(mixed.laws) != problem.contact_count())
+      return fmt::format("it represents {} laws at {} contacts", mixed.laws.size(), problem.contact_count());
+    return std::holds_alternative<MixedLaws>(problem.law())
+               ? ""
+               : "it represents different laws, and the scene has one";
   }
   std::string operator()(const Undetermined&) const { return {}; }
 };

@@ -54,9 +54,8 @@ Problem with_structure_scaled(Problem problem, double factor) {
     s.stiffness *= factor;
   });
   scale_load(problem, factor);
-  if (auto* stop = std::get_if<Penalty>(&problem.law)) {
-    for (double& stiffness : stop->stiffness) stiffness *= factor;
-  }
+  for (Contact& contact : problem.contacts)
+    if (auto* spring = std::get_if<Spring>(&contact.law)) spring->stiffness *= factor;
   return problem;
 }
 

@@ -59,7 +59,7 @@ void take_answer(const Problem& problem, const Solution& solution, Deadline dead
 std::optional<CandidateUnit> cold_start(const Problem& problem, const MethodChoice& choice, int order) {
   const std::unique_ptr<Method> probe = choice.make();
   const Problem at = with_subharmonic(problem, order);
-  if (!probe->supports(at).ok || !law_matches(probe->law(at), problem.law)) return std::nullopt;
+  if (!probe->supports(at).ok || !law_matches(probe->law(at), problem.law())) return std::nullopt;
   return CandidateUnit{
       choice.label(), [&problem, choice, order](const CandidateUnit::Deliver& deliver, Deadline deadline) {
         OrbitCandidate candidate{
@@ -99,7 +99,8 @@ OrbitCandidate grid_candidate(const Problem& problem, int per_period, int turn, 
                            .source = fmt::format("coarse grid {}, cover {}", per_period, turn),
                            .order = problem.subharmonic};
   std::optional<double> restitution;
-  if (const auto* law = std::get_if<Restitution>(&problem.law)) restitution = law->e;
+  const Law scene_law = problem.law();
+  if (const auto* law = std::get_if<Restitution>(&scene_law)) restitution = law->e;
   const HatSettings settings{.samples = per_period * problem.subharmonic,
                              .solver = ComplementaritySolver::pivoting,
                              .cover_amplitude = turn < 4 ? 0.4 : 0.8,

@@ -66,7 +66,7 @@ void visit_fields(Either<OrbitFile> auto& file, auto&& field) {
 OrbitFile make_orbit_file(const Scene& scene, const OrbitSearchOptions& options, const SceneOrbits& found) {
   return {.scene = scene.problem.name,
           .scene_sha256 = scene.sha256,
-          .law = as_represented(scene.problem.law),
+          .law = as_represented(scene.problem.law()),
           .options = options,
           .orbits = found.orbits};
 }

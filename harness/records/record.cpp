@@ -36,6 +36,14 @@ std::string law_text(const RepresentedLaw& law) {
       return "k = " + joined(shown, "{:g}", ", ") + " N/m";
     }
     std::string operator()(Massless) const { return "massless"; }
+    std::string operator()(const MixedLaws& l) const {
+      std::vector<std::string> texts;
+      for (const ContactLaw& one : l.laws) {
+        texts.push_back(
+            std::visit([](const auto& law) { return law_text(as_represented(common_law({law}))); }, one));
+      }
+      return "mixed: " + joined(texts, "; ");
+    }
     std::string operator()(Undetermined) const { return "undetermined"; }
   };
   return std::visit(Printer{}, law);

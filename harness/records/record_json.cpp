@@ -19,6 +19,12 @@ struct LawWriter {
   Json operator()(const Restitution& law) const { return {{"restitution", law.e}}; }
   Json operator()(const Penalty& law) const { return {{"penalty", law.stiffness}}; }
   Json operator()(Massless) const { return {{"massless", true}}; }
+  Json operator()(const MixedLaws& mixed) const {
+    Json laws = Json::array();
+    for (const ContactLaw& law : mixed.laws) laws.push_back(std::visit(*this, law));
+    return {{"mixed", laws}};
+  }
+  Json operator()(const Spring& spring) const { return {{"penalty", spring.stiffness}}; }
   Json operator()(Undetermined) const { return {{"undetermined", true}}; }
 };
 
@@ -30,6 +36,13 @@ struct OptionWriter {
   }
 };
 
+ContactLaw contact_law_from_json(const Json& json) {
+  if (json.contains("restitution")) return Restitution{json["restitution"].get<double>()};
+  if (json.contains("penalty")) return Spring{json["penalty"].get<double>()};
+  if (json.contains("massless")) return Massless{};
+  throw BadRecord("law.mixed = " + json_text(json) + " (must be restitution, penalty or massless)");
+}
+
 OptionValue option_from_json(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_integer()) return whole_number<long>("option", json);
@@ -40,16 +53,23 @@ OptionValue option_from_json(const Json& json) {
 
 }  // namespace
 
+Json contact_law_json(const ContactLaw& law) { return std::visit(LawWriter{}, law); }
+
 Json JsonForm<RepresentedLaw>::write(const RepresentedLaw& law) { return std::visit(LawWriter{}, law); }
 
 RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) {
   if (json.contains("restitution")) return Restitution{json["restitution"].get<double>()};
   if (json.contains("penalty")) return Penalty{json["penalty"].get<std::vector<double>>()};
   if (json.contains("massless")) return Massless{};
+  if (json.contains("mixed")) {
+    MixedLaws mixed;
+    for (const Json& law : json["mixed"]) mixed.laws.push_back(contact_law_from_json(law));
+    return mixed;
+  }
   if (json.contains("undetermined")) return Undetermined{};
   if (json.contains("none")) return std::monostate{};
   throw BadRecord("law = " + json_text(json) +
-                  " (must be restitution, penalty, massless, undetermined or none)");
+                  " (must be restitution, penalty, massless, mixed, undetermined or none)");
 }
 
 Json JsonForm<RecordedOptions>::write(const RecordedOptions& options) {

@@ -16,12 +16,16 @@ nlohmann::ordered_json to_json(const Record& record);
 /// \throws BadRecord
 Record record_from_json(const nlohmann::ordered_json& json);
 
-/// One key, the law's name, with its constant: {"restitution": 0.8}.
+/// One key, the law's name, with its constant: {"restitution": 0.8}; of contacts of different laws "mixed", a
+/// list of one for each.
 template <>
 struct JsonForm<RepresentedLaw> {
   static nlohmann::ordered_json write(const RepresentedLaw& law);  ///< of any law
   static RepresentedLaw read(const nlohmann::ordered_json& json);  ///< \throws BadRecord
 };
+
+/// The law of one contact likewise, with one number: {"penalty": 1e6}.
+nlohmann::ordered_json contact_law_json(const ContactLaw& law);
 
 /// An object, option by option.
 template <>

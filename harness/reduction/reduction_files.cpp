@@ -63,7 +63,7 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
                         term.harmonic, term.cos, term.sin);
   for (const Contact& contact : reduced.contacts)
     text += fmt::format("\n[[contact]]\ndof = {}\ngap = {}\n", contact.normal.front().first, contact.gap);
-  if (const auto* spring = std::get_if<Penalty>(&reduced.law))
+  if (const Law scene_law = reduced.law(); const auto* spring = std::get_if<Penalty>(&scene_law))
     text += fmt::format("\n[law]\npenalty = {}\n", json_text(nlohmann::ordered_json(spring->stiffness)));
   return text;
 }

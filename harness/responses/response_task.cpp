@@ -256,7 +256,7 @@ void give_tasks(const Scene& scene, const Limits& limits, ExactResponse& exact, 
         .scene = scene, .planned_case = *job.planned_case, .limits = limits, .question = *question};
     if (question->way == ResponseWay::exact) {
       // Whether it can be followed is its own answer.
-      job.method = {.applies = true, .law = as_represented(scene.problem.law)};
+      job.method = {.applies = true, .law = as_represented(scene.problem.law())};
       job.task = std::make_shared<ExactTask>(asked, exact);
     } else {
       job.task = std::make_shared<ResponseTask>(asked, exact);

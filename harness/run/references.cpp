@@ -24,13 +24,13 @@ constexpr double kKeptSeconds = 1.0;
 
 std::string key_of(const RepresentedLaw& law, const Problem& problem) {
   const bool undetermined = std::holds_alternative<Undetermined>(law);
-  return json_text(JsonForm<RepresentedLaw>::write(undetermined ? as_represented(problem.law) : law));
+  return json_text(JsonForm<RepresentedLaw>::write(undetermined ? as_represented(problem.law()) : law));
 }
 
 /// As it is kept, or by marching from rest, which may take `seconds`.
 Reference find_reference(const Scene& scene, const RepresentedLaw& law, const OrbitTools& tools,
                          double seconds) {
-  if (law_matches(law, scene.problem.law)) {
+  if (law_matches(law, scene.problem.law())) {
     if (std::optional<Reference> kept = kept_reference(scene, references_folder(), tools.polish,
                                                        Deadline::after(std::max(kKeptSeconds, seconds))))
       return *std::move(kept);
@@ -69,7 +69,7 @@ void References::compute(const Scene& scene, std::span<const Applicability> meth
   };
   const auto applies = [](const Applicability& method) { return method.applies; };
   if (std::none_of(methods.begin(), methods.end(), applies)) return;
-  add(as_represented(scene.problem.law));
+  add(as_represented(scene.problem.law()));
   for (const Applicability& method : methods) {
     if (method.law) add(*method.law);
   }

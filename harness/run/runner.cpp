@@ -91,12 +91,12 @@ Record Runner::blank(const Scene& scene, const Job& job) const {
   const std::vector<OptionEcho> options = planned_case.choice.options();
   for (const OptionEcho& option : options) record.options.emplace_back(option.name, option.value);
   record.same_equations_as = same_equations_as(entry, options);
-  record.scene_law = as_represented(scene.problem.law);
+  record.scene_law = as_represented(scene.problem.law());
   record.coordinates = scene.problem.size();
   record.contacts = scene.problem.contact_count();
   record.law = job.method.law;
   if (record.law) {
-    record.law_matches_scene = law_matches(*record.law, scene.problem.law);
+    record.law_matches_scene = law_matches(*record.law, scene.problem.law());
     record.problem = problem_digest(scene.problem, *record.law);
   }
   record.certificate.reason = "there is no answer to certify";

@@ -146,18 +146,20 @@ std::string load_text(const Problem& problem, int dof) {
   return text;
 }
 
-bool has_compliant_stops(const Problem& problem) { return std::holds_alternative<Penalty>(problem.law); }
+bool has_compliant_stops(const Problem& problem) { return has_springs(problem); }
 
 std::string motion_note(const Problem& problem) {
   std::string note = fmt::format("ω = {} rad/s", number_text(problem.frequency));
   if (problem.subharmonic > 1) note += fmt::format(", order {}", problem.subharmonic);
-  if (const auto* impact = std::get_if<Restitution>(&problem.law)) note += ", e = " + number_text(impact->e);
-  if (const auto* springs = std::get_if<Penalty>(&problem.law)) {
+  const Law law = problem.law();
+  if (const auto* impact = std::get_if<Restitution>(&law)) note += ", e = " + number_text(impact->e);
+  if (const auto* springs = std::get_if<Penalty>(&law)) {
     const auto [least, largest] = std::ranges::minmax(springs->stiffness);
     note += ", stop of " + range_text(least, largest, "N/m");
   }
   if (!problem.frame.empty()) note += ", moving stops";
-  if (std::holds_alternative<Massless>(problem.law)) note += ", contact without mass";
+  if (std::holds_alternative<Massless>(law)) note += ", contact without mass";
+  if (std::holds_alternative<MixedLaws>(law)) note += ", stops of different laws";
   return note;
 }
 

@@ -33,9 +33,8 @@ struct DrawModel {
 Problem without_faces(Problem problem, const std::vector<DampedStop>& damped) {
   if (damped.empty()) return problem;
   problem.contacts = contacts_of_structure(std::move(problem.contacts), damped);
-  Penalty springs;
-  for (const DampedStop& stop : damped) springs.stiffness.push_back(stop.stiffness);
-  problem.law = std::move(springs);
+  for (const DampedStop& stop : damped)
+    problem.contacts[static_cast<std::size_t>(stop.contact)].law = Spring{stop.stiffness};
   return problem;
 }
 

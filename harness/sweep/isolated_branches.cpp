@@ -98,10 +98,10 @@ std::string law_remark_of(const Scene& scene, const MethodChoice& method) {
   const Case asked{.choice = method};
   const Case* const list = &asked;
   Record record;
-  record.scene_law = as_represented(scene.problem.law);
+  record.scene_law = as_represented(scene.problem.law());
   for (const Applicability& answer : ask_applicability(scene, std::span(&list, 1), Limits{}.memory_mb)) {
     record.law = answer.law;
-    if (record.law) record.law_matches_scene = law_matches(*record.law, scene.problem.law);
+    if (record.law) record.law_matches_scene = law_matches(*record.law, scene.problem.law());
   }
   return law_remark(record);
 }

@@ -33,7 +33,8 @@ HarmonicMethod AugmentedLagrangian::preset(const Problem& problem) const {
 ProjectedLaw augmented_law(const Problem& problem, const std::optional<Scaled>& penalty,
                            const ContactReceptance& receptance) {
   constexpr double kMultiple = 32.0;  // an update then leaves less than a sixth of an error, up to H = 20
-  const auto* stop = std::get_if<Penalty>(&problem.law);
+  const Law scene_law = problem.law();
+  const auto* stop = std::get_if<Penalty>(&scene_law);
   ProjectedLaw law = penalty_law(problem, penalty, receptance);
   if (!penalty && stop == nullptr) law.constant = kMultiple * highest_dynamic_stiffness(receptance);
   law.multiplier_weight.setOnes();

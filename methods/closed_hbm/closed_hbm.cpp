@@ -68,7 +68,8 @@ double ClosedHbm::restitution(const Restitution& law) const {
 }
 
 RepresentedLaw ClosedHbm::law(const Problem& problem) const {
-  const auto* rigid = std::get_if<Restitution>(&problem.law);
+  const Law scene_law = problem.law();
+  const auto* rigid = std::get_if<Restitution>(&scene_law);
   if (rigid != nullptr) return Restitution{restitution(*rigid)};
   return ProjectedMethod::law(problem);
 }
@@ -81,7 +82,8 @@ HarmonicMethod ClosedHbm::preset(const Problem& problem) const {
 }
 
 MakeHarmonicSolver ClosedHbm::solver_of(const Problem& problem) const {
-  const auto* rigid = std::get_if<Restitution>(&problem.law);
+  const Law scene_law = problem.law();
+  const auto* rigid = std::get_if<Restitution>(&scene_law);
   const ClosureSettings settings{.restitution = rigid != nullptr ? restitution(*rigid) : 1.0,
                                  .constant_is_chosen = options_.c.has_value()};
   return

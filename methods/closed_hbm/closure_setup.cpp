@@ -82,7 +82,7 @@ std::optional<Resolutions> affordable_hat_grids(const Problem& problem, double r
 std::optional<ClosureSetup> closure_setup(const HarmonicSetup& setup, const ClosureSettings& settings) {
   constexpr double kHarder = 8.0;
   const Problem& problem = *setup.problem;
-  if (!std::holds_alternative<Restitution>(problem.law)) return std::nullopt;
+  if (!std::holds_alternative<Restitution>(problem.law())) return std::nullopt;
   if (setup.receptance.rigid_count() > 0)
     throw std::runtime_error(  // impulses of a closure are free, those of a loose part add up to its mean
                                // load

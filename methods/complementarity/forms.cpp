@@ -139,12 +139,7 @@ Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::Vector
 }
 
 NodalStops nodal_stops(const Problem& problem, const std::optional<double>& restitution) {
-  NodalStops stops{contact_gaps(problem), Eigen::VectorXd::Zero(problem.contact_count()), restitution};
-  if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
-    stops.compliance =
-        Eigen::Map<const Eigen::VectorXd>(stop->stiffness.data(), stops.compliance.size()).cwiseInverse();
-  }
-  return stops;
+  return {contact_gaps(problem), stop_compliance(problem), restitution};
 }
 
 Eigen::VectorXd HatForm::pressure(const Eigen::VectorXd& z) const {

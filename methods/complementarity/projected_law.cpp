@@ -22,7 +22,7 @@ constexpr double kPenaltyMultiple = 8.0;
 // beyond.
 double penalty_multiple(const Problem& problem, int harmonics) {
   constexpr double kBase = 10.0;
-  if (!std::holds_alternative<Massless>(problem.law)) return kPenaltyMultiple;
+  if (!std::holds_alternative<Massless>(problem.law())) return kPenaltyMultiple;
   return kPenaltyMultiple * std::max(1.0, std::pow(harmonics / kBase, 1.5));
 }
 
@@ -64,7 +64,7 @@ ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& 
   law.constant = c ? Eigen::VectorXd(*c * contact_stiffness_scale(problem))
                    : Eigen::VectorXd(kConstantMultiple * highest_dynamic_stiffness(receptance));
   law.multiplier_weight = Eigen::VectorXd::Ones(law.constant.size());
-  if (const auto* stop = std::get_if<Penalty>(&problem.law)) {
+  if (const Law scene_law = problem.law(); const auto* stop = std::get_if<Penalty>(&scene_law)) {
     const Eigen::Map<const Eigen::VectorXd> spring(stop->stiffness.data(), law.constant.size());
     // A larger constant than the spring's stiffness would have y made of the truncated part of lambda.
     if (!c) law.constant = law.constant.cwiseProduct(spring).cwiseQuotient(law.constant + spring).eval();
@@ -76,7 +76,8 @@ ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& 
 ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& penalty,
                          const ContactReceptance& receptance) {
   ProjectedLaw law;
-  const auto* stop = std::get_if<Penalty>(&problem.law);
+  const Law scene_law = problem.law();
+  const auto* stop = std::get_if<Penalty>(&scene_law);
   if (penalty) {
     law.constant = contact_stiffness_scale(problem);
     for (double& stiffness : law.constant) stiffness = penalty->in_units_of(stiffness);
@@ -90,14 +91,14 @@ ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& pe
 }
 
 RepresentedLaw projected_method_law(const Problem& problem, const std::optional<Scaled>& penalty) {
-  if (std::holds_alternative<Restitution>(problem.law)) return Restitution{1.0};
-  if (penalty && std::holds_alternative<Penalty>(problem.law)) {
+  if (std::holds_alternative<Restitution>(problem.law())) return Restitution{1.0};
+  if (penalty && std::holds_alternative<Penalty>(problem.law())) {
     Penalty asked;
     for (const double scale : contact_stiffness_scale(problem))
       asked.stiffness.push_back(penalty->in_units_of(scale));
     return asked;
   }
-  return as_represented(problem.law);
+  return as_represented(problem.law());
 }
 
 ContactSymbol::ContactSymbol(const ContactReceptance& receptance, const ProjectedLaw& law)

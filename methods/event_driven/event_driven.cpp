@@ -46,7 +46,7 @@ Support EventDriven::supports(const Problem& problem) const {
   return {.ok = obstacle.empty(), .reason = obstacle};
 }
 
-RepresentedLaw EventDriven::law(const Problem& problem) const { return as_represented(problem.law); }
+RepresentedLaw EventDriven::law(const Problem& problem) const { return as_represented(problem.law()); }
 
 std::unique_ptr<PreparedMethod> EventDriven::prepare(const Problem& problem) const {
   return std::make_unique<PreparedEventDriven>(problem, options_);

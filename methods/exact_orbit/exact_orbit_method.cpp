@@ -102,7 +102,8 @@ class PreparedExactOrbit final : public PreparedMethod {
       if (level > 0 && level == options_.refinements) break;
       for (int cover = 1; cover <= options_.restarts; ++cover) add_grid(samples, cover);
     }
-    const auto* law = std::get_if<Restitution>(&problem_.law);  // the series know no other restitution than 1
+    const Law scene_law = problem_.law();
+    const auto* law = std::get_if<Restitution>(&scene_law);  // the series know no other restitution than 1
     if (law == nullptr || law->e == 1.0)
       attempts.push_back({"Fourier", [this, &cold] { return projected(cold); }});
     return attempts;
@@ -154,14 +155,15 @@ class PreparedExactOrbit final : public PreparedMethod {
       settings.cover_phase = 2.0 * std::numbers::pi * cover / (options_.restarts + 1);
     }
     std::optional<double> restitution;
-    if (const auto* law = std::get_if<Restitution>(&problem_.law)) restitution = law->e;
+    const Law scene_law = problem_.law();
+    if (const auto* law = std::get_if<Restitution>(&scene_law)) restitution = law->e;
     return hat_contact(problem_, settings, restitution);
   }
 
   // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.
   [[nodiscard]] Solution projected(const Start& cold) const {
     const int harmonics = std::max(first_samples_ / 4, load_bandwidth(problem_));
-    const bool spring = std::holds_alternative<Penalty>(problem_.law);
+    const bool spring = std::holds_alternative<Penalty>(problem_.law());
     const auto method_for = [spring](const Problem& solved) -> HarmonicMethod {
       const auto law = [&solved, spring](const ContactReceptance& receptance) {
         return spring ? penalty_law(solved, {}, receptance) : lipschitz_law(solved, {}, receptance);
@@ -325,7 +327,7 @@ Support ExactOrbitMethod::supports(const Problem& problem) const {
   return {.ok = obstacle.empty(), .reason = obstacle};
 }
 
-RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const { return as_represented(problem.law); }
+RepresentedLaw ExactOrbitMethod::law(const Problem& problem) const { return as_represented(problem.law()); }
 
 std::unique_ptr<PreparedMethod> ExactOrbitMethod::prepare(const Problem& problem) const {
   if (prefers_reduction(problem)) return std::make_unique<PreparedReducedOrbit>(problem, options_);

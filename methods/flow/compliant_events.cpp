@@ -13,19 +13,23 @@ CompliantEvents::CompliantEvents(const ContactDynamics& dynamics, double toleran
 FlowState CompliantEvents::place(double time, const State& state) const {
   const auto count = static_cast<std::size_t>(dynamics_.contact_count());
   FlowState flow{.time = time, .state = state, .closed = std::vector<bool>(count, false)};
-  decide(time, state, orders_, std::vector<bool>(count, true), flow.closed);
+  std::vector<bool> compliant = dynamics_.stops().rigid();
+  compliant.flip();
+  decide(time, state, orders_, std::move(compliant), flow.closed);
   return flow;
 }
 
-void CompliantEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
-  const std::vector<bool> before = flow.closed;
-  const auto changing = static_cast<std::size_t>(trigger);
+std::vector<bool> CompliantEvents::closed_after(const FlowState& flow, int trigger) const {
+  const std::vector<bool>& before = flow.closed;
   const MotionDerivatives motion = dynamics_.derivatives(dynamics_.mode(before), flow.time, flow.state, 2);
   std::vector<bool> closed = before, undecided(before.size(), false);
-  closed[changing] = !before[changing];
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     const auto index = static_cast<std::size_t>(j);
-    if (index == changing) continue;
+    if (dynamics_.rigid(j)) continue;
+    if (j == trigger) {
+      closed[index] = !before[index];
+      continue;
+    }
     const double guard = before[index] ? -motion.lambda(j, 0) * dynamics_.structure().compliance(j, j)
                                        : dynamics_.structure().gaps[j] - motion.x(j, 0);
     undecided[index] = guard <= orders_[0].floor;
@@ -33,7 +37,12 @@ void CompliantEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) 
   }
   // Gaps and forces of the undecided are zero here: their speeds are the first to tell them apart.
   decide(flow.time, flow.state, {orders_[1], orders_[2]}, std::move(undecided), closed);
-  flow.closed = closed;
+  return closed;
+}
+
+void CompliantEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
+  const std::vector<bool> before = flow.closed;
+  flow.closed = closed_after(flow, trigger);
   log_changes(before, flow, trigger, record);
 }
 

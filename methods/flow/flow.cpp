@@ -36,7 +36,7 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
 FlowState EventFlow::place(double time, const State& state) const { return events_->place(time, state); }
 
 double EventFlow::guard_floor(int contact, double noise) const {
-  return noise * (mode_.closed(contact) ? dynamics_.stops().scale() : dynamics_.scales().displacement);
+  return noise * (mode_.closed(contact) ? dynamics_.stops().scale(contact) : dynamics_.scales().displacement);
 }
 
 // Earliest event of a stretch's last step. `last` holds the guards at its beginning and is left with those at

@@ -11,7 +11,7 @@ namespace signorini {
 RelaxingEvents::RelaxingEvents(const ContactDynamics& dynamics, double tolerance)
     : StopEvents(dynamics), touch_(event_noise(tolerance) * dynamics.scales().displacement) {
   // beta x' and beta x'' are told from zero at the noise of xi, X, and of its rates.
-  const double floor = event_noise(tolerance) * dynamics.stops().scale();
+  const double floor = event_noise(tolerance) * dynamics.stops().scale(0);
   orders_ = {{.derivative = 1, .floor = floor},
              {.derivative = 2, .floor = floor * dynamics.structure().fastest_rate}};
 }

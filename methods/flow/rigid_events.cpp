@@ -20,6 +20,20 @@ std::optional<Eigen::VectorXd> newton_impulses(const Eigen::MatrixXd& delassus,
   return Eigen::VectorXd(-*z);
 }
 
+// What the closed rigid stops among those of a mode hold.
+ContactMode RigidEvents::held_of(const ContactMode& mode) const {
+  if (!compliant_) return mode;
+  ContactMode held;
+  std::vector<int> rows;
+  for (std::size_t k = 0; k < mode.active.size(); ++k) {
+    if (!dynamics_.rigid(mode.active[k])) continue;
+    held.active.push_back(mode.active[k]);
+    rows.push_back(static_cast<int>(k));
+  }
+  if (!rows.empty()) held.response = block_of(mode.response, rows, rows);
+  return held;
+}
+
 // The left side of an event and what the impact law made of it.
 struct RigidEvents::Impact {
   std::vector<int> contacts;            // touching
@@ -36,12 +50,13 @@ RigidEvents::RigidEvents(const ContactDynamics& dynamics, double tolerance)
       tolerance_(tolerance),
       touch_(event_noise(tolerance) * dynamics.scales().displacement),
       rest_(event_noise(tolerance) * dynamics.scales().velocity),
-      weightless_(std::max(0.01 * tolerance, 1024.0 * kEpsilon) * dynamics.scales().acceleration) {}
+      weightless_(std::max(0.01 * tolerance, 1024.0 * kEpsilon) * dynamics.scales().acceleration) {
+  if (dynamics.stops().mixed()) compliant_.emplace(dynamics, tolerance);
+}
 
 // How long the impacts after one of speed v last, if they are carried to their limit at once; else empty.
-std::optional<double> RigidEvents::rest_of_chatter(double v, double a, double jerk) const {
+std::optional<double> RigidEvents::rest_of_chatter(double e, double v, double a, double jerk) const {
   const MotionScales& scales = dynamics_.scales();
-  const double e = dynamics_.restitution();
   const bool geometric = e > 0.0 && e < 1.0 && a > 0.0;
   const double rest = geometric ? 2.0 * e * v / (a * (1.0 - e)) : 0.0;
   if (v <= tolerance_ * scales.velocity || e == 0.0) return rest;
@@ -56,7 +71,9 @@ std::optional<double> RigidEvents::rest_of_chatter(double v, double a, double je
 
 void RigidEvents::collide(FlowState& flow, Impact& impact) const {
   const auto count = static_cast<Eigen::Index>(impact.contacts.size());
-  impact.restitution = Eigen::VectorXd::Constant(count, dynamics_.restitution());
+  impact.restitution.resize(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    impact.restitution[i] = dynamics_.restitution(impact.contacts[static_cast<std::size_t>(i)]);
   impact.impulse = Eigen::VectorXd::Zero(count);
   impact.rest_of_chatter.assign(impact.contacts.size(), 0.0);
   if (count == 0 || impact.approach.maxCoeff() <= rest_) return;
@@ -66,7 +83,8 @@ void RigidEvents::collide(FlowState& flow, Impact& impact) const {
     const auto w = dynamics_.structure().directions.col(impact.contacts[index]);
     const double v = impact.approach[i];
     if (v <= 0.0) continue;
-    const auto rest = rest_of_chatter(v, w.dot(impact.acceleration), w.dot(impact.jerk));
+    const auto rest =
+        rest_of_chatter(impact.restitution[i], v, w.dot(impact.acceleration), w.dot(impact.jerk));
     if (!rest) continue;
     impact.restitution[i] = 0.0;
     impact.rest_of_chatter[index] = *rest;
@@ -182,9 +200,9 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const std::vector<S
     v = v_after;
     a = a_after;
   }
-  if (!mode.active.empty()) {  // what the next mode holds cannot deviate
-    const Eigen::MatrixXd hold = product(columns_of(back, mode.active),
-                                         product_by_transposed(mode.response, columns_of(W, mode.active)));
+  if (const ContactMode held = held_of(mode); !held.active.empty()) {  // what it holds cannot deviate
+    const Eigen::MatrixXd hold = product(columns_of(back, held.active),
+                                         product_by_transposed(held.response, columns_of(W, held.active)));
     S.topRows(n) -= product(hold, S.topRows(n));
     S.bottomRows(n) -= product(hold, S.bottomRows(n));
   }
@@ -196,6 +214,7 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   const Eigen::VectorXd gap =
       dynamics_.structure().gaps - image_by_transposed(dynamics_.structure().directions, flow.state.u);
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    if (!dynamics_.rigid(j)) continue;
     if (flow.closed[static_cast<std::size_t>(j)] || gap[j] <= touch_ || j == trigger)
       impact.contacts.push_back(j);
   }
@@ -209,6 +228,11 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
 
   // Of the contacts at rest those are held that the accelerations press on their stops, or their rates.
   std::vector<bool> resting(flow.closed.size(), false), closed = resting;
+  if (compliant_) {
+    closed = compliant_->closed_after(flow, trigger);
+    for (int j = 0; j < dynamics_.contact_count(); ++j)
+      if (dynamics_.rigid(j)) closed[static_cast<std::size_t>(j)] = false;
+  }
   for (const int j : impact.contacts) {
     resting[static_cast<std::size_t>(j)] =
         std::abs(dynamics_.structure().directions.col(j).dot(flow.state.v)) <= rest_;
@@ -218,6 +242,13 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   const ContactMode mode = dynamics_.mode(closed);
   hold(flow.state, mode);
   log(impact, flow, closed, record);
+  for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    const auto index = static_cast<std::size_t>(j);
+    if (!dynamics_.rigid(j) && closed[index] != flow.closed[index])
+      record.events.push_back({.kind = closed[index] ? ContactEvent::Kind::close : ContactEvent::Kind::open,
+                               .contact = j,
+                               .time = flow.time});
+  }
   const std::vector<SequenceEvent> sequence = entries(impact, flow, closed, trigger);
   if (trigger >= 0) record.sequence.insert(record.sequence.end(), sequence.begin(), sequence.end());
   if (record.tangent) {
@@ -233,18 +264,25 @@ FlowState RigidEvents::place(double time, const State& state) const {
   FlowState flow{.time = time, .state = state, .closed = open};
   FlowRecord ignored;
   const FlowStructure& structure = dynamics_.structure();
-  const Eigen::VectorXd gap = structure.gaps - image_by_transposed(structure.directions, state.u);
+  std::vector<int> rigid;
+  for (int j = 0; j < dynamics_.contact_count(); ++j)
+    if (dynamics_.rigid(j)) rigid.push_back(j);
+  const Eigen::VectorXd gap =
+      entries_of(structure.gaps - image_by_transposed(structure.directions, state.u), rigid);
   if (gap.size() > 0 && gap.minCoeff() < 0.0) {
     // The nearest admissible displacement in the metric of M: u - M^-1 W z with 0 <= z, 0 <= gap + G z.
-    const auto z = solve_small_lcp(structure.delassus, gap, open);
+    const auto z = solve_small_lcp(block_of(structure.delassus, rigid, rigid), gap,
+                                   std::vector<bool>(rigid.size(), false));
     if (!z) throw FlowError("no displacement satisfies all gaps");
-    flow.state.u -= image(structure.velocity_per_impulse, *z);
+    flow.state.u -= image_by_columns(structure.velocity_per_impulse, rigid, *z);
   }
+  if (compliant_) flow.closed = compliant_->place(time, flow.state).closed;
   resolve(flow, -1, ignored);
   return flow;
 }
 
-void RigidEvents::hold(State& state, const ContactMode& mode) const {
+void RigidEvents::hold(State& state, const ContactMode& of_all) const {
+  const ContactMode mode = held_of(of_all);
   if (mode.active.empty()) return;
   const FlowStructure& structure = dynamics_.structure();
   const Eigen::MatrixXd rows = columns_of(structure.directions, mode.active).transpose();

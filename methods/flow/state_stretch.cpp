@@ -35,7 +35,8 @@ State StateStretch::unpacked() const {
 
 Guard StateStretch::guard(int contact, double time) const {
   // A rigid stop's gap needs neither its force nor those of the others.
-  if (!dynamics_.rigid() || mode_->closed(contact)) return guards(time)[static_cast<std::size_t>(contact)];
+  if (!dynamics_.rigid(contact) || mode_->closed(contact))
+    return guards(time)[static_cast<std::size_t>(contact)];
   evaluate(time, y_);
   const Eigen::Index n = y_.size() / 2;
   const FlowStructure& structure = dynamics_.structure();
@@ -118,7 +119,9 @@ double TaylorStretch::short_flight(const FlowState& flow, const MotionDerivative
     const auto w = structure.directions.col(j);
     const double gap = structure.gaps[j] - w.dot(flow.state.u);
     const double v = w.dot(flow.state.v), a = w.dot(motion.u.col(2));
-    if (flow.closed[static_cast<std::size_t>(j)] || gap > touch_ || !(v < 0.0) || !(a > 0.0)) continue;
+    if (!dynamics_.rigid(j) || flow.closed[static_cast<std::size_t>(j)] || gap > touch_ || !(v < 0.0) ||
+        !(a > 0.0))
+      continue;
     const double flight = -2.0 * kMargin * v / a;
     if (flight <= longest && (length == 0.0 || flight < length)) length = flight;
   }

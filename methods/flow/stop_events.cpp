@@ -9,12 +9,15 @@ namespace signorini {
 void StopEvents::decide(double time, const State& state, const std::vector<Order>& orders,
                         std::vector<bool> undecided, std::vector<bool>& closed) const {
   const FlowStructure& structure = dynamics_.structure();
+  const auto first = std::ranges::find(undecided, true) - undecided.begin();
+  if (first == dynamics_.contact_count()) return;
+  const bool rigid = dynamics_.rigid(static_cast<int>(first));  // all undecided are, or none
   for (const auto& [order, floor] : orders) {
     std::vector<int> involved;
     std::vector<bool> held;
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       const auto index = static_cast<std::size_t>(j);
-      if (!closed[index] && !undecided[index]) continue;
+      if (dynamics_.rigid(j) != rigid || (!closed[index] && !undecided[index])) continue;
       involved.push_back(j);
       held.push_back(closed[index]);
     }

@@ -41,8 +41,8 @@ class StopEvents {
   /// with the contacts closed so far as equalities w = 0; -q is the k-th derivative of W^T u + s - g without
   /// the forces of the others. Where contacts relax, z is a derivative less, and q is that of beta (g - x). A
   /// contact with z > floor closes, one with w > floor stays open, and the others are left to the next order.
-  /// Undecided after the last one: open. \throws FlowError if there is no solution (only possible where
-  /// contacts depend on each other)
+  /// The undecided are all rigid or none is: between the two kinds A is 0. Undecided after the last one:
+  /// open. \throws FlowError if there is no solution (only possible where contacts depend on each other)
   void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
               std::vector<bool>& closed) const;
 
@@ -69,7 +69,37 @@ std::optional<Eigen::VectorXd> newton_impulses(const Eigen::MatrixXd& delassus,
                                                const Eigen::VectorXd& approach,
                                                const Eigen::VectorXd& restitution);
 
-/// Applies the laws of impact and contact to the contacts that touch their rigid stops.
+/// At compliant stops (springs, and stops behind coordinates without mass) the contact force is the solution
+/// of the static complementarity problem
+///
+///     g - W^T u - s(t) - C lambda >= 0,   lambda <= 0,   complementary,
+///
+/// a continuous function of the state: an event only changes which contacts push, never the motion. Where
+/// the solution has contacts with neither gap nor force, their next derivatives decide, in order: the same
+/// problem for the first and the second time derivatives (the motion is twice differentiable), with the
+/// contacts that push as equalities. What is left undecided stays open.
+class CompliantEvents final : public StopEvents {
+ public:
+  /// \param tolerance  of the integration, relative to the scales of the motion [-]
+  CompliantEvents(const ContactDynamics& dynamics, double tolerance);
+
+  /// The state as it is, with the contacts that push.
+  [[nodiscard]] FlowState place(double time, const State& state) const override;
+  /// The contacts that push after the guard of `trigger` has vanished: that contact changes, and those that
+  /// are without gap and force at that instant are decided anew. Logs every change. \throws FlowError
+  void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
+  /// Nothing: a compliant stop lets its contact move.
+  void hold(State&, const ContactMode&) const override {}
+  /// The contacts that are closed after an event: those of `flow`, but for the compliant ones that push. That
+  /// of `trigger` changes if it is one of them.
+  [[nodiscard]] std::vector<bool> closed_after(const FlowState& flow, int trigger) const;
+
+ private:
+  std::vector<Order> orders_;  // of gap, speed and acceleration
+};
+
+/// Applies the laws of impact and contact to the contacts that touch their rigid stops. Others of the scene
+/// are compliant (CompliantEvents): their forces, continuous through an impact, are settled first.
 ///
 /// Impact: Newton's law for all touching contacts together (`newton_impulses`). Afterwards those at rest
 /// stick if the force presses them, lambda_j < 0, or lambda_j = 0 and falling: a linear complementarity
@@ -108,7 +138,8 @@ class RigidEvents final : public StopEvents {
  private:
   struct Impact;
 
-  [[nodiscard]] std::optional<double> rest_of_chatter(double v, double a, double jerk) const;
+  [[nodiscard]] std::optional<double> rest_of_chatter(double e, double v, double a, double jerk) const;
+  [[nodiscard]] ContactMode held_of(const ContactMode& mode) const;
   void collide(FlowState& flow, Impact& impact) const;
   void log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
            FlowRecord& record) const;
@@ -118,32 +149,7 @@ class RigidEvents final : public StopEvents {
                                           const FlowState& after, const ContactMode& mode) const;
 
   double tolerance_, touch_, rest_, weightless_;
-};
-
-/// At compliant stops (springs, and stops behind coordinates without mass) the contact force is the solution
-/// of the static complementarity problem
-///
-///     g - W^T u - s(t) - C lambda >= 0,   lambda <= 0,   complementary,
-///
-/// a continuous function of the state: an event only changes which contacts push, never the motion. Where
-/// the solution has contacts with neither gap nor force, their next derivatives decide, in order: the same
-/// problem for the first and the second time derivatives (the motion is twice differentiable), with the
-/// contacts that push as equalities. What is left undecided stays open.
-class CompliantEvents final : public StopEvents {
- public:
-  /// \param tolerance  of the integration, relative to the scales of the motion [-]
-  CompliantEvents(const ContactDynamics& dynamics, double tolerance);
-
-  /// The state as it is, with the contacts that push.
-  [[nodiscard]] FlowState place(double time, const State& state) const override;
-  /// The contacts that push after the guard of `trigger` has vanished: that contact changes, and those that
-  /// are without gap and force at that instant are decided anew. Logs every change. \throws FlowError
-  void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
-  /// Nothing: a compliant stop lets its contact move.
-  void hold(State&, const ContactMode&) const override {}
-
- private:
-  std::vector<Order> orders_;  // of gap, speed and acceleration
+  std::optional<CompliantEvents> compliant_ = {};  // of the other contacts, if there are any
 };
 
 /// At relaxing stops (behind damped coordinates without mass) a contact that closes is stopped without an

@@ -72,7 +72,7 @@ Eigen::MatrixXd membership(const DistinctStops& stops) {
 }  // namespace
 
 std::optional<DistinctStops> distinct_stops(const Problem& problem) {
-  if (std::holds_alternative<Penalty>(problem.law)) return std::nullopt;
+  if (has_springs(problem)) return std::nullopt;
   DistinctStops stops{.problem = problem};
   stops.problem.contacts.clear();
   std::map<StopKey, int> known;

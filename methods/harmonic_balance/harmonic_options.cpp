@@ -30,7 +30,7 @@ std::optional<double> HarmonicOptions::lipschitz_constant(const std::optional<do
 std::optional<Scaled> HarmonicOptions::penalty(const std::optional<Scaled>& asked, const Problem& problem,
                                                bool by_pivots) const {
   // The stop of a spring has the scene's own stiffness.
-  const bool regularised = !std::holds_alternative<Penalty>(problem.law);
+  const bool regularised = !std::holds_alternative<Penalty>(problem.law());
   const Scaled of_plain_forms{by_pivots ? kConstantOfPivots : kPenaltyOfNewton, true};
   return plain && regularised ? asked.value_or(of_plain_forms) : asked;
 }

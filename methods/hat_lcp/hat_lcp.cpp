@@ -30,20 +30,22 @@ int HatLcp::first_samples(const Problem& problem) const {
 }
 
 Support HatLcp::supports(const Problem& problem) const {
-  if (options_.scheme == Scheme::bdf2 && std::holds_alternative<Restitution>(problem.law))
+  if (options_.scheme == Scheme::bdf2 && has_impacts(problem))
     return {false, "scheme = bdf2 represents no impact law: massless contacts and spring stops only"};
+  if (Support one = supports_one_law(problem); !one.ok) return one;
   return grid_support(problem, first_samples(problem));
 }
 
 RepresentedLaw HatLcp::law(const Problem& problem) const {
-  if (!std::holds_alternative<Restitution>(problem.law)) return as_represented(problem.law);
+  if (!std::holds_alternative<Restitution>(problem.law())) return as_represented(problem.law());
   if (options_.scheme == Scheme::backward) return Restitution{0.0};
   if (impact_law() == ImpactLaw::none) return Undetermined{};
-  return std::get<Restitution>(problem.law);
+  return std::get<Restitution>(problem.law());
 }
 
 std::optional<double> HatLcp::imposed_restitution(const Problem& problem) const {
-  const auto* law = std::get_if<Restitution>(&problem.law);
+  const Law scene_law = problem.law();
+  const auto* law = std::get_if<Restitution>(&scene_law);
   const bool imposed = impact_law() == ImpactLaw::scene && options_.scheme != Scheme::backward;
   return law != nullptr && imposed ? std::optional(law->e) : std::nullopt;
 }

@@ -1,6 +1,7 @@
 #include "methods/linear_flow/contact_dynamics.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,24 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
   return pseudo_inverse(A);
 }
 
+// Of contacts of which some are rigid and others compliant, that of each kind alone: they have different
+// units.
+Eigen::MatrixXd response_by_kinds(const Stops& stops, const std::vector<int>& active) {
+  const auto count = static_cast<Eigen::Index>(active.size());
+  Eigen::MatrixXd response = Eigen::MatrixXd::Zero(count, count);
+  for (const bool rigid : {true, false}) {
+    std::vector<int> contacts, rows;
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      if (stops.rigid(active[k]) != rigid) continue;
+      contacts.push_back(active[k]);
+      rows.push_back(static_cast<int>(k));
+    }
+    if (!rows.empty())
+      response(rows, rows) = symmetric_inverse(block_of(stops.coupling(), contacts, contacts));
+  }
+  return response;
+}
+
 }  // namespace
 
 ContactDynamics::ContactDynamics(const Problem& problem) : ContactDynamics(problem, condense(problem)) {}
@@ -28,7 +47,12 @@ ContactDynamics::ContactDynamics(const Problem& problem) : ContactDynamics(probl
 ContactDynamics::ContactDynamics(const Problem& problem, CondensedStructure condensed)
     : structure_(std::make_shared<FlowStructure>(problem, std::move(condensed))),
       stops_(Stops::of(problem, *structure_)) {
-  if (const auto* law = std::get_if<Restitution>(&problem.law)) restitution_ = law->e;
+  for (int j = 0; j < contact_count(); ++j) {
+    const Contact& contact = problem.contacts[static_cast<std::size_t>(structure_->scene_contact(j))];
+    const auto* law = std::get_if<Restitution>(&contact.law);
+    restitution_.push_back(law != nullptr ? law->e : 1.0);
+  }
+  any_rigid_ = contact_count() == 0 || std::ranges::find(stops_->rigid(), true) != stops_->rigid().end();
   constexpr int kSmall = 32;  // a dense product is then no dearer than sparse ones and a sparse solve
   const FlowStructure& s = *structure_;
   small_ = size() <= kSmall;
@@ -46,8 +70,9 @@ ContactDynamics::ContactDynamics(const Problem& problem, CondensedStructure cond
 
 ContactDynamics::ContactDynamics(const ContactDynamics& other, double frequency)
     : structure_(std::make_shared<FlowStructure>(other.structure().at_frequency(frequency))),
-      stops_(Stops::on(*structure_, other.rigid())),
+      stops_(Stops::on(*structure_, other.stops().rigid())),
       restitution_(other.restitution_),
+      any_rigid_(other.any_rigid_),
       small_(other.small_),
       inverse_mass_stiffness_(other.inverse_mass_stiffness_),
       inverse_mass_damping_(other.inverse_mass_damping_),
@@ -61,13 +86,15 @@ ContactMode ContactDynamics::mode(const std::vector<bool>& closed) const {
   for (int j = 0; j < contact_count(); ++j) {
     if (closed[static_cast<std::size_t>(j)]) result.active.push_back(j);
   }
-  if (!result.active.empty())
+  if (stops_->mixed())
+    result.response = response_by_kinds(*stops_, result.active);
+  else if (!result.active.empty())
     result.response = symmetric_inverse(block_of(stops_->coupling(), result.active, result.active));
   return result;
 }
 
 double ContactDynamics::force_scale(int contact) const {
-  return stops_->scale() / stops_->coupling()(contact, contact);
+  return stops_->scale(contact) / stops_->coupling()(contact, contact);
 }
 
 void ContactDynamics::acceleration(const ContactMode& mode, double time,

@@ -29,9 +29,16 @@ class ContactDynamics {
   [[nodiscard]] int contact_count() const { return structure_->contact_count(); }  ///< Nc
   /// Units of tolerances.
   [[nodiscard]] const MotionScales& scales() const { return structure_->scales; }
-  /// False where the stops are compliant.
-  [[nodiscard]] bool rigid() const { return stops_->rigid(); }
-  [[nodiscard]] double restitution() const { return restitution_; }        ///< e [-]; 1 without a law
+  /// Whether some stop is rigid: its contact takes impulses.
+  [[nodiscard]] bool rigid() const { return any_rigid_; }
+  /// Whether that of this contact is.
+  [[nodiscard]] bool rigid(int contact) const { return stops_->rigid(contact); }
+  /// e of a contact; 1 where it takes no impulses, or is none [-].
+  [[nodiscard]] double restitution(int contact) const {
+    return restitution_[static_cast<std::size_t>(contact)];
+  }
+  /// e where all contacts have one law [-].
+  [[nodiscard]] double restitution() const { return restitution_.empty() ? 1.0 : restitution_.front(); }
   [[nodiscard]] int positions() const { return structure_->positions(); }  ///< Np, of u and xi
   [[nodiscard]] int states() const { return structure_->states(); }        ///< of (u, xi, v)
   /// The state of the coordinates with mass out of that of all, whose contacts are at x: xi = x - W^T u where
@@ -74,7 +81,8 @@ class ContactDynamics {
 
   std::shared_ptr<const FlowStructure> structure_;
   std::shared_ptr<const Stops> stops_;
-  double restitution_ = 1.0;
+  std::vector<double> restitution_;
+  bool any_rigid_ = true;
   // Small structures: M^-1 K, M^-1 D and M^-1 f are formed once, so that an evaluation allocates nothing.
   bool small_ = false;
   Eigen::MatrixXd inverse_mass_stiffness_, inverse_mass_damping_;

@@ -42,11 +42,11 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   factors = std::make_shared<const SparseLlt>(mass);
   if (!factors->definite())
     throw std::runtime_error("the mass matrix is singular on the coordinates with mass");
-  if (const auto* law = std::get_if<Penalty>(&problem.law)) {
+  if (has_springs(problem)) {
     if (relaxation > 0.0)
       throw std::runtime_error("a spring acts on a coordinate without mass that is damped");
-    for (int j = 0; j < contact_count(); ++j)
-      compliance(j, j) += 1.0 / law->stiffness[static_cast<std::size_t>(scene_contact(j))];
+    const Eigen::VectorXd springs = stop_compliance(problem);
+    for (int j = 0; j < contact_count(); ++j) compliance(j, j) += springs[scene_contact(j)];
   }
   if (!open.contacts.empty()) {
     const Eigen::VectorXd all = gaps;

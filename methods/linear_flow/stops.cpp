@@ -15,6 +15,20 @@ bool ContactMode::closed(int contact) const {
   return std::binary_search(active.begin(), active.end(), contact);
 }
 
+Stops::Stops(const FlowStructure& structure, std::vector<bool> rigid)
+    : structure_(structure), rigid_(std::move(rigid)) {
+  const bool any = std::ranges::find(rigid_, true) != rigid_.end();
+  mixed_ = any && std::ranges::find(rigid_, false) != rigid_.end();
+  coupling_ = any ? structure_.delassus : structure_.compliance;
+  for (int j = 0; mixed_ && j < structure_.contact_count(); ++j) {
+    for (int i = 0; i < structure_.contact_count(); ++i)
+      if (!this->rigid(i))
+        coupling_(i, j) = this->rigid(j) ? 0.0 : structure_.compliance(i, j);
+      else if (!this->rigid(j))
+        coupling_(i, j) = 0.0;
+  }
+}
+
 MotionDerivatives Stops::derivatives(const ContactMode& mode, double time, const State& state,
                                      int order) const {
   MotionDerivatives motion{.u = Eigen::MatrixXd::Zero(structure_.positions(), order + 1),
@@ -47,9 +61,13 @@ void set_forces(const ContactMode& mode, const Eigen::VectorXd& of_closed, Eigen
     all[mode.active[i]] = of_closed[static_cast<Eigen::Index>(i)];
 }
 
+std::vector<bool> all_stops(const FlowStructure& structure, bool rigid) {
+  return std::vector<bool>(static_cast<std::size_t>(structure.contact_count()), rigid);
+}
+
 class RigidStops final : public Stops {
  public:
-  explicit RigidStops(const FlowStructure& structure) : Stops(structure, true) {}
+  explicit RigidStops(const FlowStructure& structure) : Stops(structure, all_stops(structure, true)) {}
 
   void add_acceleration(const ContactMode& mode, double, const Eigen::Ref<const Eigen::VectorXd>&,
                         const Eigen::Ref<const Eigen::VectorXd>&,
@@ -120,7 +138,7 @@ class RigidStops final : public Stops {
 
 class CompliantStops final : public Stops {
  public:
-  explicit CompliantStops(const FlowStructure& structure) : Stops(structure, false) {}
+  explicit CompliantStops(const FlowStructure& structure) : Stops(structure, all_stops(structure, false)) {}
 
   void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                         const Eigen::Ref<const Eigen::VectorXd>&,
@@ -197,7 +215,7 @@ class CompliantStops final : public Stops {
 
 class RelaxingStops final : public Stops {
  public:
-  explicit RelaxingStops(const FlowStructure& structure) : Stops(structure, false) {}
+  explicit RelaxingStops(const FlowStructure& structure) : Stops(structure, all_stops(structure, false)) {}
 
   void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                         const Eigen::Ref<const Eigen::VectorXd>& v,
@@ -339,12 +357,18 @@ class RelaxingStops final : public Stops {
 }  // namespace
 
 std::unique_ptr<const Stops> Stops::of(const Problem& problem, const FlowStructure& structure) {
-  return on(structure,
-            !std::holds_alternative<Penalty>(problem.law) && !std::holds_alternative<Massless>(problem.law));
+  std::vector<bool> rigid;
+  for (int j = 0; j < structure.contact_count(); ++j) {
+    const Contact& contact = problem.contacts[static_cast<std::size_t>(structure.scene_contact(j))];
+    rigid.push_back(std::holds_alternative<Restitution>(contact.law));
+  }
+  return on(structure, rigid);
 }
 
-std::unique_ptr<const Stops> Stops::on(const FlowStructure& structure, bool rigid) {
-  if (rigid) return std::make_unique<RigidStops>(structure);
+std::unique_ptr<const Stops> Stops::on(const FlowStructure& structure, const std::vector<bool>& rigid) {
+  const bool any = std::ranges::find(rigid, true) != rigid.end();
+  if (any && std::ranges::find(rigid, false) != rigid.end()) return mixed_on(structure, rigid);
+  if (any || rigid.empty()) return std::make_unique<RigidStops>(structure);
   if (structure.relaxation > 0.0) return std::make_unique<RelaxingStops>(structure);
   return std::make_unique<CompliantStops>(structure);
 }

@@ -75,28 +75,34 @@ struct FreeForm {
 ///
 ///     lambda_A = C_AA^-1 (g_A - s_A(t) - W_A^T u - beta W_A^T u'),    C = C_0.
 ///
+/// Where a structure has rigid and compliant stops, those follow the equations of a structure with the
+/// springs of these, K + W C^-1 W^T.
+///
 /// Meanwhile xi_A = g_A - W_A^T u, and of the open contacts O the numbers z = xi_O - C_OA C_AA^-1 xi_A relax
 /// by themselves, beta z' + z = s_O - C_OA C_AA^-1 s_A.
 class Stops {
  public:
-  /// Those of a scene: compliant if its law is Penalty or Massless, relaxing if besides the structure has a
-  /// relaxation time. `structure` must outlive them.
+  /// Those of a scene: rigid where its contacts have a restitution, else compliant, relaxing if besides the
+  /// structure has a relaxation time. `structure` must outlive them.
   static std::unique_ptr<const Stops> of(const Problem& problem, const FlowStructure& structure);
-  /// Those of the same kind on a structure, which must outlive them.
-  static std::unique_ptr<const Stops> on(const FlowStructure& structure, bool rigid);
+  /// Those of the same kinds, of each contact whether it is rigid, on a structure, which must outlive them.
+  static std::unique_ptr<const Stops> on(const FlowStructure& structure, const std::vector<bool>& rigid);
   virtual ~Stops() = default;
 
-  /// True where a contact takes impulses and its velocity may jump.
-  [[nodiscard]] bool rigid() const { return rigid_; }
-  /// G or C, by which the forces of closed contacts depend on each other, Nc x Nc.
-  [[nodiscard]] const Eigen::MatrixXd& coupling() const {
-    return rigid_ ? structure_.delassus : structure_.compliance;
-  }
+  /// Of each contact whether it takes impulses, so that its velocity may jump.
+  [[nodiscard]] const std::vector<bool>& rigid() const { return rigid_; }
+  /// Whether one does.
+  [[nodiscard]] bool rigid(int contact) const { return rigid_[static_cast<std::size_t>(contact)]; }
+  /// Whether some contacts do and others do not.
+  [[nodiscard]] bool mixed() const { return mixed_; }
+  /// G or C, by which the forces of closed contacts depend on each other, Nc x Nc. Forces of compliant stops
+  /// follow from the state alone: between a rigid and a compliant one it is 0.
+  [[nodiscard]] const Eigen::MatrixXd& coupling() const { return coupling_; }
   /// Unit of coupling times force in tolerances: the acceleration scale, or X, or max(X, beta V).
-  [[nodiscard]] double scale() const {
+  [[nodiscard]] double scale(int contact) const {
     const MotionScales& scales = structure_.scales;
-    return rigid_ ? scales.acceleration
-                  : std::max(scales.displacement, structure_.relaxation * scales.velocity);
+    return rigid(contact) ? scales.acceleration
+                          : std::max(scales.displacement, structure_.relaxation * scales.velocity);
   }
 
   /// Adds M^-1 W lambda to `a`, the acceleration without contact forces; `u` is Np, `v` and `a` are Nd.
@@ -125,19 +131,25 @@ class Stops {
   /// The rate of the fastest motion where closed contacts make it faster than `rate` [rad/s].
   [[nodiscard]] virtual double fastest_rate(const ContactMode&, double rate) const { return rate; }
 
- protected:
-  /// \param structure  of the scene, kept by the caller
-  Stops(const FlowStructure& structure, bool rigid) : structure_(structure), rigid_(rigid) {}
   /// Fills column k of x and lambda, k + 2 of u and k + 1 of xi, `load` being the k-th derivative of
   /// f - K u - D u'.
   virtual void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
                              MotionDerivatives& motion) const = 0;
+
+ protected:
+  /// \param structure  of the scene, kept by the caller
+  Stops(const FlowStructure& structure, std::vector<bool> rigid);
+  /// Rigid and compliant ones (mixed_stops.cpp).
+  static std::unique_ptr<const Stops> mixed_on(const FlowStructure& structure,
+                                               const std::vector<bool>& rigid);
   /// The form of a mode without closed contacts.
   [[nodiscard]] FreeForm open_form() const;
   const FlowStructure& structure_;  ///< of the scene
 
  private:
-  bool rigid_;
+  std::vector<bool> rigid_;
+  bool mixed_ = false;
+  Eigen::MatrixXd coupling_;
 };
 
 }  // namespace signorini

@@ -43,20 +43,16 @@ Eigen::VectorXd energy_scale(const ContactReduction& reduction, Eigen::Index rel
 }  // namespace
 
 MarchGrid march_grid(const Problem& problem, int samples) {
-  MarchGrid grid{.gap = contact_gaps(problem),
-                 .compliance = Eigen::VectorXd::Zero(problem.contact_count()),
-                 .period = problem.period(),
-                 .samples = samples};
-  if (const auto* springs = std::get_if<Penalty>(&problem.law)) {
-    for (Eigen::Index c = 0; c < grid.gap.size(); ++c)
-      grid.compliance[c] = 1.0 / springs->stiffness[static_cast<std::size_t>(c)];
-  }
-  return grid;
+  return {.gap = contact_gaps(problem),
+          .compliance = stop_compliance(problem),
+          .period = problem.period(),
+          .samples = samples};
 }
 
 std::string march_obstacle(const Problem& problem) {
-  if (std::holds_alternative<Restitution>(problem.law))
+  if (has_impacts(problem))
     return "a contact with mass and an impact law is another one in a reduced structure";
+  if (std::holds_alternative<MixedLaws>(problem.law())) return "contacts of different laws are not reduced";
   return "";
 }
 

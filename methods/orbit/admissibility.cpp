@@ -121,8 +121,8 @@ struct Check {
       const double v = crossing.approach / dynamics.scales().velocity;
       if (event.kind == ContactEvent::Kind::impact) ++result.impacts;
       // A spring may begin to act at any speed; what a chatter ends with is small by its nature.
-      const bool tail = event.kind == ContactEvent::Kind::close && dynamics.restitution() > 0.0;
-      if (dynamics.rigid() && !tail) result.weakest_impact = std::min(result.weakest_impact, v);
+      const bool tail = event.kind == ContactEvent::Kind::close && dynamics.restitution(event.contact) > 0.0;
+      if (dynamics.rigid(event.contact) && !tail) result.weakest_impact = std::min(result.weakest_impact, v);
       if (!(v > 0.0))
         fail(fmt::format("contact {} does not close at t = {:.6g} s", named(event.contact), event.time));
     }
@@ -140,7 +140,7 @@ struct Check {
   // e)) together, and the displacement of the speed e v over that time is what carrying them to their limit
   // leaves out.
   void law(const SequenceEvent& event, double approach, std::size_t k, const LinearArc& arc) {
-    const double e = dynamics.restitution();
+    const double e = dynamics.restitution(event.pushed[k]);
     if (event.restitution[k] == e || approach <= kAdmissible * dynamics.scales().velocity) return;
     const double a = arc.displacement(event.pushed[k], event.time, 2);
     const double left_out = 0.5 * e * approach * approach / (a * (1.0 - e)) / dynamics.scales().displacement;

@@ -55,7 +55,7 @@ bool join(const ContactDynamics& dynamics, const std::vector<ContactEvent>& toge
     return event.kind != Kind::open && !was_closed(event);
   };
   const auto pushed = [&](const ContactEvent& event) {
-    return dynamics.rigid() && (event.impulse != 0.0 || strikes(event));
+    return dynamics.rigid(event.contact) && (event.impulse != 0.0 || strikes(event));
   };
   std::vector<int> contacts;
   for (const ContactEvent& event : together) {
@@ -80,8 +80,9 @@ bool join(const ContactDynamics& dynamics, const std::vector<ContactEvent>& toge
         closed[static_cast<std::size_t>(event.contact)] = event.kind == Kind::close;
       if (!pushed(event)) continue;
       const auto place = std::upper_bound(joined.pushed.begin(), joined.pushed.end(), event.contact);
-      joined.restitution.insert(joined.restitution.begin() + (place - joined.pushed.begin()),
-                                event.kind == Kind::impact && strikes(event) ? dynamics.restitution() : 0.0);
+      joined.restitution.insert(
+          joined.restitution.begin() + (place - joined.pushed.begin()),
+          event.kind == Kind::impact && strikes(event) ? dynamics.restitution(event.contact) : 0.0);
       joined.pushed.insert(place, event.contact);
     }
     joined.closed = closed;

@@ -83,7 +83,7 @@ struct Push {
 };
 
 // Read off the contact force.
-std::vector<Push> pushes_of(const ForceHistory& history, bool springs) {
+std::vector<Push> pushes_of(const ForceHistory& history, const ContactDynamics& dynamics) {
   constexpr double kRipple = 1e-6;  // of the contact's largest force
   const auto count = static_cast<int>(history.force.rows());
   std::vector<Push> pushes;
@@ -101,7 +101,7 @@ std::vector<Push> pushes_of(const ForceHistory& history, bool springs) {
         moment += history.force(k % count, c) * k;
       }
       pushes.push_back({c, (first - 0.5) * history.step, (first + length - 0.5) * history.step,
-                        moment / weight * history.step, springs || length > history.reach});
+                        moment / weight * history.step, !dynamics.rigid(c) || length > history.reach});
     }
   }
   return pushes;
@@ -226,12 +226,12 @@ std::vector<SequenceEvent> events_of(const ContactDynamics& dynamics, const std:
     if (event.kind != ContactEvent::Kind::impact)
       closed[static_cast<std::size_t>(event.contact)] = event.kind == ContactEvent::Kind::close;
     event.closed = closed;
-    if (!dynamics.rigid() || event.kind == ContactEvent::Kind::open) continue;
+    if (!dynamics.rigid(event.contact) || event.kind == ContactEvent::Kind::open) continue;
     for (int j = 0; j < dynamics.contact_count(); ++j) {  // resting contacts pass an impulse on
-      if (!closed[static_cast<std::size_t>(j)] && j != event.contact) continue;
+      if (!dynamics.rigid(j) || (!closed[static_cast<std::size_t>(j)] && j != event.contact)) continue;
       event.pushed.push_back(j);
       const bool strikes = j == event.contact && event.kind == ContactEvent::Kind::impact;
-      event.restitution.push_back(strikes ? dynamics.restitution() : 0.0);
+      event.restitution.push_back(strikes ? dynamics.restitution(j) : 0.0);
     }
   }
   return events;
@@ -292,7 +292,7 @@ std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& traje
 
 std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajectory) {
   const ForceHistory history = force_history(trajectory);
-  std::vector<Push> pushes = pushes_of(history, !model.dynamics.rigid());
+  std::vector<Push> pushes = pushes_of(history, model.dynamics);
   std::vector<Impulse> impulses;  // a force on a grid acts as one impulse per step
   for (int c = 0; c < model.dynamics.contact_count(); ++c) {
     for (Eigen::Index k = 0; k < history.force.rows(); ++k) {

@@ -210,7 +210,7 @@ class March {
     constexpr long kPatience = 1000;  // periods
     constexpr int kMostPushes = 3;
     constexpr double kNear = 1e-3, kPush = 1e-6;
-    if (marched_ < kPatience || pushes_ >= kMostPushes || !(orbit.largest_multiplier() > 1.0)) return false;
+    if (marched_ < kPatience || pushes_ >= kMostPushes || !(largest_magnitude(orbit.multipliers) > 1.0)) return false;
     const Eigen::VectorXd fixed = map_.scaled(orbit.start.state);
     if (!((past_.back() - fixed).lpNorm<Eigen::Infinity>() <= kNear)) return false;
     const GeneralEigen modes = general_eigen(orbit.monodromy);

@@ -25,7 +25,7 @@ std::shared_ptr<const ContactSpace> KeptSpace::of(const Problem& problem) {
     space_.reset();  // two at once may be more than the memory
     space_ = std::make_shared<const ContactSpace>(problem);
     ++made_;
-  } else if (of_.law.index() != problem.law.index() || of_.frequency != problem.frequency) {
+  } else if (of_.law().index() != problem.law().index() || of_.frequency != problem.frequency) {
     space_ = std::make_shared<const ContactSpace>(space_->of(problem));
   }
   of_ = problem;

@@ -46,8 +46,10 @@ Structure structure_of(const ContactReduction& reduction, const Eigen::MatrixXd&
 
 ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& reduction) {
   ReducedProblem result{.obstacle = reduction.obstacle};
-  if (result.obstacle.empty() && std::holds_alternative<Restitution>(scene.law))
+  if (result.obstacle.empty() && has_impacts(scene))
     result.obstacle = "a contact with mass and an impact law is another one in a reduced structure";
+  if (result.obstacle.empty() && std::holds_alternative<MixedLaws>(scene.law()))
+    result.obstacle = "contacts of different laws are not reduced";
   if (result.obstacle.empty() && !is_well_definite(reduction.compliance))
     result.obstacle = "the static residual at the contacts is not definite: fewer vectors are needed";
   if (!result.obstacle.empty()) return result;

@@ -98,18 +98,53 @@ std::vector<Contact> read_group_contacts(const SceneField& contact, const System
   return made;
 }
 
-std::vector<std::pair<int, double>> read_normal(const SceneField& contact, int size) {
-  const SceneField dof = contact["dof"];
-  const SceneField normal = contact["normal"];
+using Normal = std::vector<std::pair<int, double>>;
+
+Normal read_normal(const SceneField& contact, int size) {
+  const SceneField dof = contact["dof"], normal = contact["normal"], between = contact["between"];
   if (dof.given() && normal.given()) normal.refuse("must be absent: dof is given");
+  if (between.given()) {
+    if (dof.given() || normal.given())
+      between.refuse(fmt::format("must be absent: {} is given", dof.given() ? "dof" : "normal"));
+    constexpr std::string_view kPair = "must be a pair of different coordinates";
+    const std::vector<SceneField> pair = between.items(kPair, 2);
+    const int moving = read_dof(pair[0], size), stop = read_dof(pair[1], size);
+    if (moving == stop) between.refuse(kPair);
+    return {{moving, 1.0}, {stop, -1.0}};
+  }
   if (!normal.given()) return {{read_dof(dof, size), 1.0}};
   constexpr std::string_view kPair = "must be a pair [dof, coefficient]";
-  std::vector<std::pair<int, double>> result;
+  Normal result;
   for (const SceneField& entry : normal.items("must be a list of pairs [dof, coefficient]")) {
     const std::vector<SceneField> pair = entry.items(kPair, 2);
     result.emplace_back(read_dof(pair[0], size), pair[1].number(kNumber));
   }
   return result;
+}
+
+Normal opposite(Normal normal) {
+  for (auto& [dof, coefficient] : normal) coefficient = -coefficient;
+  return normal;
+}
+
+// A stop on one side, or those on both sides of a clearance.
+std::vector<Contact> read_single(const SceneField& contact, int size) {
+  constexpr std::string_view kSide = "must be \"above\" or \"below\"";
+  const SceneField side = contact["side"], clearance = contact["clearance"];
+  Normal normal = read_normal(contact, size);
+  if (side.given()) {
+    const std::string name = side.text(kSide);
+    if (name != "above" && name != "below") side.refuse(kSide);
+    if (name == "below") normal = opposite(std::move(normal));
+  }
+  if (!clearance.given()) return {{.normal = std::move(normal), .gap = contact["gap"].number(kGap)}};
+  if (side.given()) side.refuse("must be absent: a clearance has stops on both sides");
+  if (contact["gap_term"].given())
+    contact["gap_term"].refuse("must be absent: a clearance is given; write its two contacts, or [base]");
+  const double room = clearance.number("must be a positive number [m]", kLeastPositive);
+  const double gap = contact["gap"].number_or(0.5 * room, kGap);
+  Normal below = opposite(normal);
+  return {{.normal = std::move(normal), .gap = gap}, {.normal = std::move(below), .gap = room - gap}};
 }
 
 // A regular polygon of contacts in the plane of two coordinates.
@@ -128,21 +163,24 @@ std::vector<Contact> read_ring(const SceneField& contact, int size) {
 }
 
 std::vector<Contact> read_contact(const SceneField& contact, const SystemDescription& system) {
-  for (const char* key : {"law", "restitution", "penalty", "damping"}) {
-    if (contact[key].given())
-      contact[key].refuse(
-          "must stand in a table [law] of its own, one for all contacts: what follows a line "
-          "[[contact]] belongs to that contact");
-  }
-  contact.allow_only({"dof", "normal", "dofs", "facets", "face", "patch", "group", "direction", "gap",
-                      "gap_term", "centre_term"},
-                     "must be a table");
+  if (contact["law"].given())
+    contact["law"].refuse(
+        "must be left out: restitution, penalty, damper and massless are keys of the contact itself, "
+        "beside gap; a table [law] is the default of all contacts");
+  contact.allow_only(
+      {"dof", "normal", "between", "side", "dofs", "facets", "face", "patch", "group", "direction", "gap",
+       "clearance", "gap_term", "centre_term", "restitution", "penalty", "damper", "damping", "massless"},
+      "must be a table");
+  if (!contact["dofs"].given() && !contact["face"].given() && !contact["group"].given() &&
+      !contact["facets"].given() && !contact["patch"].given() && !contact["direction"].given())
+    return read_single(contact, system.size);
+  for (const char* key : {"between", "side", "clearance"})
+    if (contact[key].given()) contact[key].refuse("must be absent: it goes with dof, normal or between");
   if (contact["group"].given()) return read_group_contacts(contact, system);
   if (contact["direction"].given()) contact["direction"].refuse("must be absent: no group is given");
   if (contact["face"].given()) return read_face_contacts(contact, system);
   if (contact["patch"].given()) contact["patch"].refuse("must be absent: no face is given");
-  if (contact["facets"].given() || contact["dofs"].given()) return read_ring(contact, system.size);
-  return {{.normal = read_normal(contact, system.size), .gap = contact["gap"].number(kGap)}};
+  return read_ring(contact, system.size);
 }
 
 }  // namespace
@@ -160,22 +198,6 @@ FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescri
     ++table;
   }
   return made;
-}
-
-std::vector<double> read_stop_constants(const SceneField& field, std::string_view unit,
-                                        std::size_t contacts) {
-  const std::string each = fmt::format("must be a positive number [{}]", unit);
-  const std::string requirement = each + ", or a list of them";
-  if (!field.is_array()) return std::vector<double>(contacts, field.number(requirement));
-  std::vector<double> values;
-  for (const SceneField& item : field.items(requirement)) values.push_back(item.number(each));
-  return values;
-}
-
-std::vector<DampedStop> read_damped_stops(const SceneField& law, const std::vector<Contact>& contacts) {
-  if (contacts.empty() || !law["penalty"].given() || !law["damping"].given()) return {};
-  return damped_stops(contacts, read_stop_constants(law["penalty"], "N/m", contacts.size()),
-                      read_stop_constants(law["damping"], "N s/m", contacts.size()));
 }
 
 }  // namespace signorini

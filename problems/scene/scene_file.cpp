@@ -60,27 +60,6 @@ SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> f
   return header;
 }
 
-// \param damped  whether the stops have faces
-Law read_law(const SceneField& law, const Problem& problem, bool damped) {
-  if (!law.given()) {
-    if (problem.contacts.empty() || !contacts_are_massless(problem)) return {};
-    return Massless{};
-  }
-  law.allow_only({"restitution", "penalty", "damping"}, "must be a table with restitution or penalty");
-  if (problem.contacts.empty()) law.refuse("must be absent: the scene has no contact");
-  const SceneField restitution = law["restitution"];
-  const SceneField penalty = law["penalty"];
-  if (penalty.given()) {
-    if (restitution.given()) penalty.refuse("must be absent: restitution is given");
-    if (damped) return Massless{};
-    return Penalty{read_stop_constants(penalty, "N/m", problem.contacts.size())};
-  }
-  if (law["damping"].given())
-    law["damping"].refuse("must be absent: no penalty, a spring beside it, is given");
-  if (!restitution.given()) law.refuse("must hold restitution or penalty, or be left out");
-  return Restitution{restitution.number("must be in 0..1")};
-}
-
 // A scene, and the tables that its load and its contacts were made from.
 struct ReadScene : SceneWithSources {
   std::vector<int> term_tables = {};
@@ -111,12 +90,14 @@ std::string origin_of_term(const ReadScene& scene, const std::string& path) {
 // The place in the file that a path of validate() stands for.
 SceneField as_written(const SceneField& document, const ReadScene& scene, const std::string& path) {
   constexpr std::string_view kContact = "contact[";
-  for (const char* constant : {"penalty", "damping"}) {
-    if (path.starts_with(fmt::format("law.{}[", constant)) && !document["law"][constant].is_array())
-      return document["law"][constant];
-  }
   if (path == "forcing.frequency") return frequency_field(document["forcing"]);
   if (path.starts_with("frame[")) return document["contact"];
+  if (path.starts_with(kContact)) {
+    const std::string key = path.substr(path.find(']') + 1);
+    if (key == ".restitution" || key == ".penalty" || key == ".damper")
+      return law_field_as_written(document, scene.contact_tables, std::stoul(path.substr(kContact.size())),
+                                  key.substr(1));
+  }
   if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
   if (path.starts_with("forcing.term[")) return document.at(origin_of_term(scene, path));
   return system_field_as_written(document, path);
@@ -155,19 +136,19 @@ void read_forcing(const SceneField& forcing, const SystemDescription& system, Re
   }
 }
 
-// Stops that give way, and loads of what moves, which needs the matrices. Whether stops have faces.
-bool read_stops(const SceneField& document, const SystemDescription& system,
-                const FromTables<Contact>& contacts, ReadScene& scene) {
+// Stops that give way, and loads of what moves, which needs the matrices.
+void read_stops(const SceneField& document, const SystemDescription& system,
+                const FromTables<Contact>& contacts, const std::vector<DampedStop>& damped,
+                ReadScene& scene) {
   const Structure& structure = *scene.problem.structure;
   for (const SparseMatrix* A : {&structure.mass, &structure.damping, &structure.stiffness})
-    if (A->rows() != system.size || A->cols() != system.size) return false;  // validate() will say so
+    if (A->rows() != system.size || A->cols() != system.size) return;  // validate() will say so
   mark_derived(scene, "base");
   read_base(document["base"], system, scene.problem);
   mark_derived(scene, "contact");
-  const std::vector<DampedStop> damped = read_damped_stops(document["law"], contacts.things);
+  require_massless(document, contacts, scene.problem);
   if (!damped.empty()) damp_stops(scene.problem, damped);
   move_stops(scene.problem, read_stop_motion(document["contact"], contacts));
-  return !damped.empty();
 }
 
 // Fills `scene` as far as it comes.
@@ -184,12 +165,12 @@ void read_scene(const SceneField& document, std::optional<FamilyLevel> family, R
   scene.definiteness = system.definiteness;
   scene.files = system.files;
   read_forcing(document["forcing"], system, scene);
-  const FromTables<Contact> contacts = read_contacts(document["contact"], system);
+  FromTables<Contact> contacts = read_contacts(document["contact"], system);
+  const std::vector<DampedStop> damped = read_laws(document, contacts);
   problem.contacts = contacts.things;
   scene.contact_tables = contacts.tables;
   problem.structure = system.assemble(contact_coordinates(problem));
-  const bool damped = read_stops(document, system, contacts, scene);
-  problem.law = read_law(document["law"], problem, damped);
+  read_stops(document, system, contacts, damped, scene);
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ std::vector<DampedStop> load_damped_stops(const SceneSource& source) {
   const std::string name = source.file.string();
   const TomlNode document = document_of(source, name);
   const SceneField root(document, name);
-  if (!root["law"]["damping"].given()) return {};
-  return read_damped_stops(root["law"], read_contacts(root["contact"], read_system(root["system"])).things);
+  FromTables<Contact> contacts = read_contacts(root["contact"], read_system(root["system"]));
+  return read_laws(root, contacts);
 }
 
 }  // namespace signorini

@@ -135,12 +135,18 @@ FromTables<ForceTerm> read_unbalance(const SceneField& unbalance, int size);
 /// How the stops of [[contact]] tables move: `gap_term` and `centre_term`. \throws SceneError
 std::vector<StopTerm> read_stop_motion(const SceneField& contacts, const FromTables<Contact>& made);
 
-/// What is the same for every stop, or a list of one per contact, as it stands. \throws SceneError
-std::vector<double> read_stop_constants(const SceneField& field, std::string_view unit, std::size_t contacts);
+/// Gives the contacts their laws: those of their own tables, else of [law], else none. \return the stops that
+/// are springs with dampers, to be given faces. \throws SceneError
+std::vector<DampedStop> read_laws(const SceneField& document, FromTables<Contact>& contacts);
 
-/// The stops of a table [law] that gives both penalty and damping; none otherwise.
-/// \throws SceneError; InvalidProblem for other numbers of them than contacts
-std::vector<DampedStop> read_damped_stops(const SceneField& law, const std::vector<Contact>& contacts);
+/// Refuses `massless` of contacts that carry mass. \throws SceneError
+void require_massless(const SceneField& document, const FromTables<Contact>& contacts,
+                      const Problem& problem);
+
+/// Where the file gives a contact the restitution, penalty or damper that validate() names: in its own table,
+/// or in [law]. \param tables  of all contacts (FromTables)
+SceneField law_field_as_written(const SceneField& document, const std::vector<int>& tables,
+                                std::size_t contact, const std::string& key);
 
 /// The table [base]: adds the load of a base that moves (move_base). \throws SceneError
 void read_base(const SceneField& base, const SystemDescription& system, Problem& problem);

@@ -14,7 +14,7 @@ from .motion import Motion
 from .problem import Problem
 from .program import SignoriniError
 
-SCENES = ("restitution", "penalty", "massless", "no_contact")
+SCENES = ("restitution", "penalty", "massless", "mixed", "no_contact")
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def method(*, ladder: str, represents: Mapping[str, object], name: str | None = 
 
     ladder: what `signorini run` varies, as "harmonics=10|40".
     represents: the law that answers obey for each law of a scene that the method applies to, as {"restitution": 1.0,
-    "penalty": "scene"}; keys restitution (a number, "scene" or "undetermined"), penalty, massless, no_contact ("scene").
+    "penalty": "scene"}; keys restitution (a number, "scene" or "undetermined"), penalty, massless, mixed (each contact its own of these), no_contact ("scene").
     name: else the function's, with - for _.  title: else the first line of its documentation.
     options: what they mean, by their names.  files: others that answers depend on, relative to the function's.
     """

@@ -41,10 +41,13 @@ class Contact:
     """One stop: x = sum of coefficient * u[dof] <= gap.
 
     normal: {dof: coefficient} [-].  gap: [m], below 0 is a preload.
+    law: its own, in place of the scene's: {"restitution": e}, {"penalty": k} [N/m], with "damper": c [N s/m] beside it,
+    or {"massless": True}.
     """
 
     normal: Mapping[int, float]
     gap: float
+    law: Mapping[str, object] | None = None
 
 
 @dataclass(frozen=True)
@@ -55,7 +58,8 @@ class Problem:
 
     size: n.  frequency: omega [rad/s].  period: [s].
     loads: terms of f(t) [N].  contacts: the stops, Nc of them.
-    law: of impacts, {"restitution": e}, {"penalty": [k, ..]} with Nc stiffnesses [N/m], {"massless": True} or {"none": True}.
+    law: of impacts, {"restitution": e}, {"penalty": [k, ..]} with Nc stiffnesses [N/m], {"massless": True}, {"none": True} or,
+    of contacts of different laws, {"mixed": [..]}, a list of one for each; each contact has its own then.
     start: a motion to begin from, if the program has one.
     entries: of "mass" [kg], "damping" [N s/m] and "stiffness" [N/m], arrays (row, column, value).
     """
@@ -81,7 +85,9 @@ class Problem:
                    period=text["period"], law=text["law"], entries=matrices,
                    start=Motion.from_json(request["start"]) if "start" in request else None,
                    loads=tuple(Load(**term) for term in text["force"]),
-                   contacts=tuple(Contact(dict(map(tuple, contact["normal"])), contact["gap"]) for contact in text["contacts"]))
+                   contacts=tuple(Contact(dict(map(tuple, contact["normal"])), contact["gap"],
+                                          contact.get("law") if "mixed" in text["law"] else None)
+                                  for contact in text["contacts"]))
 
     @cached_property
     def mass(self) -> np.ndarray:
@@ -148,6 +154,7 @@ command = COMMAND
 restitution = "scene"
 penalty = "scene"
 massless = "scene"
+mixed = "scene"
 no_contact = "scene"
 """
 KEEP = """cat >"$0" && echo '{"verdict": "not-converged"}'"""

@@ -57,7 +57,7 @@ class Scene:
         D: n x n, its skew part gyroscopic [N s/m]; or {"alpha": a, "beta": b} for a M + b K [1/s] [s]; or {"modal": z}, damping ratios of the modes by
         rising frequency, one number or a list [-].
         frequency: omega [rad/s], or frequency_hz: omega / (2 pi) [Hz].  load: {dof: amplitude of cos(omega t)} [N], or a list of `Load`.
-        contacts: {dof: gap} for u[dof] <= gap [m], or a list of `Contact`.
+        contacts: {dof: gap} for u[dof] <= gap [m], or a list of `Contact`, which may have laws of their own.
         law: {"restitution": e}, 0 <= e <= 1, or {"penalty": k} with one stiffness or one per contact [N/m], and "damping", c,
         likewise if a damper stands beside each spring [N s/m]; None where no contact carries mass. subharmonic: k, motions of the period 2 pi k / omega are looked for.
 

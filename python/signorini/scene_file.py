@@ -95,7 +95,8 @@ class SceneFile:
                 lines.append(f"omega_power = {value_of(term.omega_power)}")
         for contact in self.contacts:
             normal = ", ".join(f"[{value_of(dof)}, {value_of(factor)}]" for dof, factor in contact.normal.items())
-            lines += ["", "[[contact]]", f"normal = [{normal}]", f"gap = {value_of(contact.gap)}"]
+            lines += ["", "[[contact]]", f"normal = [{normal}]", f"gap = {value_of(contact.gap)}",
+                      *(f"{key} = {'true' if value is True else value_of(value)}" for key, value in (contact.law or {}).items())]
         if self.law:
             lines += ["", "[law]", *(f"{key} = {value_of(value)}" for key, value in self.law.items())]
         return "\n".join(lines) + "\n"

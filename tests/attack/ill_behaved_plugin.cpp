@@ -245,7 +245,7 @@ class IllBehaved final : public signorini::Method {
   }
   [[nodiscard]] signorini::Support supports(const signorini::Problem&) const override { return {}; }
   [[nodiscard]] signorini::RepresentedLaw law(const signorini::Problem& problem) const override {
-    return std::visit([](const auto& held) -> signorini::RepresentedLaw { return held; }, problem.law);
+    return std::visit([](const auto& held) -> signorini::RepresentedLaw { return held; }, problem.law());
   }
   [[nodiscard]] std::unique_ptr<signorini::PreparedMethod> prepare(
       const signorini::Problem& problem) const override {

@@ -65,7 +65,7 @@ struct Truth {
 Truth truth_of(const std::string& scene, std::optional<double> restitution = {}) {
   Truth truth{.name = scene, .problem = load_scene(find_scene(scene))};
   Problem asked = truth.problem;
-  if (restitution) asked.law = Restitution{*restitution};
+  if (restitution) asked.set_law(Restitution{*restitution});
   truth.orbit = ExactOrbitMethod({}).prepare(asked)->solve({}).trajectory;
   return truth;
 }
@@ -194,7 +194,8 @@ std::vector<Lie> lies_about_the_force(const Truth& truth) {
   for (const double share : {0.1, 0.24}) lies.push_back({"again", with_parts(truth, 1.0, share, 0.5)});
   lies.push_back({"again, one harmonic", with_bandwidth(with_parts(truth, 1.0, 0.24, 0.5), 1)});
   lies.push_back({"mean", with_mean_force(truth)});
-  const auto* law = std::get_if<Restitution>(&truth.problem.law);
+  const Law scene_law = truth.problem.law();
+  const auto* law = std::get_if<Restitution>(&scene_law);
   if (law != nullptr && law->e < 1.0 && truth.has_impulses())
     lies.push_back({"elastic", told(truth_of(truth.name, 1.0))});
   Told invented = with_parts(truth, 1.0, 0.24, 0.5);
@@ -349,7 +350,7 @@ struct Count {
     constexpr double kSeconds = 20.0;
     const SampledAnswer answer = sample_answer(truth.problem, *lie.motion);
     const RepresentedLaw law =
-        std::visit([](const auto& own) -> RepresentedLaw { return own; }, truth.problem.law);
+        std::visit([](const auto& own) -> RepresentedLaw { return own; }, truth.problem.law());
     Record record;
     record.status = Status::converged;
     record.law = law;

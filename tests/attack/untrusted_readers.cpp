@@ -237,7 +237,7 @@ void judge(const Problem& problem, const Trajectory& trajectory) {
   require(samples.x.allFinite() && samples.velocity.allFinite() && samples.force.allFinite(),
           "a motion that is judged is finite");
   static_cast<void>(answer_digest(trajectory));
-  const Physics physics = measure_physics(problem, as_represented(problem.law), answer.motion);
+  const Physics physics = measure_physics(problem, as_represented(problem.law()), answer.motion);
   for (const Measure& measure : {physics.penetration, physics.complementarity, physics.energy_defect})
     require(!measure || *measure >= 0.0, "measures are no less than zero");
 }

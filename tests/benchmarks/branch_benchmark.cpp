@@ -103,7 +103,7 @@ double time_of_point(int masses, int times) {
   problem.frequency = 2.2;
   problem.force = {{.dof = masses - 1, .harmonic = 1, .cos = 1.0}};
   problem.contacts = {{.normal = {{masses - 1, 1.0}}, .gap = 0.2}};
-  problem.law = Restitution{0.8};
+  problem.set_law(Restitution{0.8});
   OrbitFamily family(over_frequency(problem, 1.0, 3.0));
   double time = 0.0;
   std::size_t points = 0;

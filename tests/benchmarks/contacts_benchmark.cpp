@@ -29,7 +29,7 @@ Problem beam_on_obstacle(int contacts) {
     const double x = static_cast<double>(j) / contacts;
     problem.contacts.push_back({.normal = {{4 * j - 2, 1.0}}, .gap = 0.2 * x * x});
   }
-  problem.law = Restitution{1.0};
+  problem.set_law(Restitution{1.0});
   return problem;
 }
 

@@ -19,7 +19,7 @@ class Contestants : public testing::TestWithParam<const char*> {};
 // coincide; a method that declares the equations of another one may come to its very bits.
 TEST_P(Contestants, GiveNoTwoTheSameAnswer) {
   const Problem problem = load_scene(find_scene(GetParam()));
-  ASSERT_TRUE(std::holds_alternative<Restitution>(problem.law));
+  ASSERT_TRUE(std::holds_alternative<Restitution>(problem.law()));
   std::map<std::string, std::string> method_of;  // by the digest of the answer
   for (const MethodEntry& entry : method_catalogue()) {
     const std::unique_ptr<Method> method = entry.make({});

@@ -231,7 +231,7 @@ TEST(SeparateImpacts, AreCertifiedUnderTheScenesRestitution) {
   const unsigned long seed = seeds().front();
   std::vector<Problem> separate, others;
   for (const Problem& problem : test::restitution_population(5 * scenes_per_population() / 4, seed)) {
-    if (std::get<Restitution>(problem.law).e == 1.0) continue;
+    if (std::get<Restitution>(problem.law()).e == 1.0) continue;
     (has_separate_impacts(problem).value_or(false) ? separate : others).push_back(problem);
   }
   const std::string name = "one mass, e < 1, seed " + std::to_string(seed);

@@ -177,7 +177,7 @@ Support FakeMethod::supports(const Problem& problem) const {
 }
 
 RepresentedLaw FakeMethod::law(const Problem& problem) const {
-  return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law);
+  return std::visit([](const auto& law) -> RepresentedLaw { return law; }, problem.law());
 }
 
 std::unique_ptr<PreparedMethod> FakeMethod::prepare(const Problem& problem) const {
@@ -197,7 +197,7 @@ Problem one_mass(double gap, double e) {
   problem.frequency = 2.0;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = gap}};
-  problem.law = Restitution{e};
+  problem.set_law(Restitution{e});
   return problem;
 }
 

@@ -112,7 +112,8 @@ TEST(CommandMethods, ReadTheProblemWithItsOptionsAndTheTimeLeft) {
   EXPECT_EQ(problem.at("subharmonic"), 1);
   EXPECT_NEAR(problem.at("period").get<double>(), 2.8559933214452666, 1e-12);
   EXPECT_EQ(problem.at("force"), (Json{{{"dof", 0}, {"harmonic", 1}, {"cos", 1.0}, {"sin", 0.0}}}));
-  EXPECT_EQ(problem.at("contacts"), Json::parse(R"([{"normal": [[0, 1.0]], "gap": 0.2}])"));
+  EXPECT_EQ(problem.at("contacts"),
+            Json::parse(R"([{"normal": [[0, 1.0]], "gap": 0.2, "law": {"restitution": 1.0}}])"));
   EXPECT_EQ(problem.at("law"), (Json{{"restitution", 1.0}}));
 }
 

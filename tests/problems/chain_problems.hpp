@@ -20,7 +20,7 @@ inline Problem three_masses() {
   Problem problem =
       chain_problem({.masses = {1.0, 2.0, 4.0}, .dampers = {0.1, 0.1, 0.1}, .springs = {10.0, 20.0, 40.0}});
   problem.contacts = {{.normal = {{2, 1.0}}, .gap = 0.5}};
-  problem.law = Restitution{0.8};
+  problem.set_law(Restitution{0.8});
   return problem;
 }
 
@@ -28,7 +28,7 @@ inline Problem massless_tip() {
   Problem problem =
       chain_problem({.masses = {1.0, 2.0, 0.0}, .dampers = {0.1, 0.1, 0.0}, .springs = {10.0, 20.0, 40.0}});
   problem.contacts = {{.normal = {{2, 1.0}}, .gap = 0.5}};
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

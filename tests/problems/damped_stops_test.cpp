@@ -25,9 +25,11 @@ Problem three_masses_between_stops() {
 TEST(DampStops, JoinEachFaceToWhatItStops) {
   const Problem bare = three_masses_between_stops();
   Problem problem = bare;
-  const auto stops = damped_stops(bare.contacts, {50.0, 70.0}, {2.0, 3.0});
+  const std::vector<DampedStop> stops{
+      {.contact = 0, .normal = bare.contacts[0].normal, .stiffness = 50.0, .damping = 2.0},
+      {.contact = 1, .normal = bare.contacts[1].normal, .stiffness = 70.0, .damping = 3.0}};
   damp_stops(problem, stops);
-  problem.law = Massless{};
+  EXPECT_TRUE(std::holds_alternative<Massless>(problem.law()));
   EXPECT_NO_THROW(validate(problem));
   ASSERT_EQ(problem.size(), 5);
   Eigen::VectorXd u(5), v(5);
@@ -54,24 +56,22 @@ TEST(DampStops, JoinEachFaceToWhatItStops) {
 }
 
 TEST(DampStops, RefuseWhatValidateWouldNotSeeAfterwards) {
-  const auto refusal = [](const std::vector<double>& stiffness, const std::vector<double>& damping,
+  const auto refusal = [](double stiffness, double damping, int contact,
                           const std::vector<std::pair<int, double>>& normal = {{2, 1.0}}) -> std::string {
     Problem problem = three_masses_between_stops();
-    problem.contacts[0].normal = normal;
     try {
-      damp_stops(problem, damped_stops(problem.contacts, stiffness, damping));
+      damp_stops(problem,
+                 {{.contact = contact, .normal = normal, .stiffness = stiffness, .damping = damping}});
       return "";
     } catch (const InvalidProblem& error) {
       return error.what();
     }
   };
-  EXPECT_EQ(refusal({1.0}, {1.0, 1.0}), "law.penalty = 1 values (must be one number, or one per contact: 2)");
-  EXPECT_EQ(refusal({1.0, 1.0}, {1.0}), "law.damping = 1 values (must be one number, or one per contact: 2)");
-  EXPECT_EQ(refusal({1.0, 1.0}, {1.0, 0.0}), "law.damping[1] = 0 (must be a positive number [N s/m])");
-  EXPECT_EQ(refusal({1.0, -2.0}, {1.0, 1.0}), "law.penalty[1] = -2 (must be a positive number [N/m])");
-  EXPECT_EQ(refusal({1.0, 1.0}, {1.0, 1.0}, {{2, 1.0}, {2, -1.0}}),
+  EXPECT_EQ(refusal(1.0, 0.0, 1), "contact[1].damper = 0 (must be a positive number [N s/m])");
+  EXPECT_EQ(refusal(-2.0, 1.0, 1), "contact[1].penalty = -2 (must be a positive number [N/m])");
+  EXPECT_EQ(refusal(1.0, 1.0, 0, {{2, 1.0}, {2, -1.0}}),
             "contact[0].normal = coordinate 2 twice (must name each coordinate once)");
-  EXPECT_EQ(refusal({1.0, 1.0}, {1.0, 1.0}, {{2, 0.0}}),
+  EXPECT_EQ(refusal(1.0, 1.0, 0, {{2, 0.0}}),
             "contact[0].normal = zero vector (needs a nonzero coefficient)");
 }
 
@@ -80,7 +80,7 @@ constexpr const char* kStop = "[[contact]]\ndof = 0\ngap = 0.1\n[[contact]]\nnor
 TEST(ReadDampedStops, TakesOneNumberOrOnePerContact) {
   const Problem problem = parse_scene(
       oscillator_with(std::string(kStop) + "[law]\npenalty = 20.0\ndamping = [0.5, 0.7]\n"), "scene.toml");
-  EXPECT_TRUE(std::holds_alternative<Massless>(problem.law));
+  EXPECT_TRUE(std::holds_alternative<Massless>(problem.law()));
   ASSERT_EQ(problem.size(), 3);
   EXPECT_EQ(problem.stiffness().coeff(1, 1), 20.0);
   EXPECT_EQ(problem.stiffness().coeff(2, 2), 20.0);

@@ -43,9 +43,9 @@ std::string complaint_after(const std::function<void(Problem&)>& spoil, Problem 
 TEST(Validate, AcceptsEveryKindOfLaw) {
   EXPECT_EQ(complaint(three_masses()), "");
   EXPECT_EQ(complaint(massless_tip()), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{1e4}}; }), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{1e4}}; }, massless_tip()), "");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.clear(), p.law = {}; }), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Penalty{{1e4}}); }), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Penalty{{1e4}}); }, massless_tip()), "");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.clear(), p.set_law({}); }), "");
   EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.front().gap = -0.5; }), "");
   EXPECT_EQ(complaint_after([](Problem& p) { p.force.clear(); }), "") << "no load is a load";
 }
@@ -67,7 +67,7 @@ TEST(Validate, AcceptsAHundredThousandCoordinates) {
   const std::vector<double> ones(100000, 1.0);
   Problem problem = chain_problem({.masses = ones, .dampers = ones, .springs = ones});
   problem.contacts = {{.normal = {{99999, 1.0}}, .gap = 0.1}};
-  problem.law = Restitution{1.0};
+  problem.set_law(Restitution{1.0});
   EXPECT_EQ(complaint(problem), "");
 }
 
@@ -193,57 +193,55 @@ TEST(Validate, RefusesContactsWithoutDirection) {
 
 TEST(Validate, WantsAnImpactLawExactlyWhereAContactCarriesMass) {
   const std::string missing =
-      "law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
+      "contact[0].restitution = missing (required, in 0..1, unless a penalty is given: the contact "
+      "coordinates "
       "carry mass)";
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = {}; }), missing);
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Massless{}; }), missing);
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{1.1}; }),
-            "law.restitution = 1.1 (must be in 0..1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{-0.1}; }),
-            "law.restitution = -0.1 (must be in 0..1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{kNaN}; }),
-            "law.restitution = nan (must be in 0..1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Restitution{0.5}; }, massless_tip()),
-            "law.restitution = 0.5 (must be absent: no contact coordinate carries mass)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = {}; }, massless_tip()),
-            "law = none (must be massless: no contact coordinate carries mass)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.contacts.clear(); }),
-            "law = given (must be absent: the scene has no contact)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law({}); }), missing);
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Massless{}); }), missing);
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Restitution{1.1}); }),
+            "contact[0].restitution = 1.1 (must be in 0..1)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Restitution{-0.1}); }),
+            "contact[0].restitution = -0.1 (must be in 0..1)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Restitution{kNaN}); }),
+            "contact[0].restitution = nan (must be in 0..1)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Restitution{0.5}); }, massless_tip()),
+            "contact[0].restitution = 0.5 (must be absent: no contact coordinate carries mass)");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law({}); }, massless_tip()), "");
 }
 
-TEST(Validate, RefusesRigidContactsOfWhichOnlySomeCarryMass) {
-  const auto add_massive = [](Problem& p) { p.contacts.push_back({.normal = {{0, 1.0}}, .gap = 0.1}); };
-  EXPECT_EQ(complaint_after(add_massive, massless_tip()),
-            "contact[0] = massless (beside contacts that carry mass only a penalty law will do: all or none "
-            "must carry "
-            "mass)");
+TEST(Validate, WantsOfEachContactTheLawThatItNeeds) {
+  const auto add_massive = [](ContactLaw law) {
+    return [law](Problem& p) { p.contacts.push_back({.normal = {{0, 1.0}}, .gap = 0.1, .law = law}); };
+  };
+  EXPECT_EQ(complaint_after(add_massive(Restitution{0.5}), massless_tip()), "");
+  EXPECT_EQ(complaint_after(add_massive(Spring{100.0}), massless_tip()), "");
+  EXPECT_EQ(complaint_after(add_massive(Massless{}), massless_tip()),
+            "contact[1].restitution = missing (required, in 0..1, unless a penalty is given: the contact "
+            "coordinates carry mass)");
   EXPECT_EQ(complaint_after(
                 [&](Problem& p) {
-                  add_massive(p);
-                  p.law = Penalty{{100.0, 100.0}};
+                  add_massive({})(p);
+                  p.set_law(Restitution{1.0});
                 },
                 massless_tip()),
-            "");
+            "contact[0] = massless (needs massless = true beside contacts that carry mass: no restitution is "
+            "for it)");
   EXPECT_EQ(
       complaint_after(
           [](Problem& p) {
             p.contacts[0].normal = {{0, 1.0}, {2, -1.0}};
-            p.law = Restitution{1.0};
+            p.set_law(Restitution{1.0});
           },
           massless_tip()),
       "contact[0].normal = partly massless (under a restitution law every coordinate of a normal must carry "
       "mass)");
 }
 
-TEST(Validate, WantsOnePositivePenaltyPerContact) {
-  EXPECT_EQ(complaint_after([](Problem& p) {
-              p.law = Penalty{{1.0, 2.0}};
-            }),
-            "law.penalty = 2 values (must be one number, or one per contact: 1)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{0.0}}; }),
-            "law.penalty[0] = 0 (must be a positive number [N/m])");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{INFINITY}}; }),
-            "law.penalty[0] = inf (must be a positive number [N/m])");
+TEST(Validate, WantsPositivePenalties) {
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Penalty{{0.0}}); }),
+            "contact[0].penalty = 0 (must be a positive number [N/m])");
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Penalty{{INFINITY}}); }),
+            "contact[0].penalty = inf (must be a positive number [N/m])");
 }
 
 TEST(Validate, RefusesMagnitudesWhoseSquaresLeaveTheRangeOfDoubles) {
@@ -256,8 +254,8 @@ TEST(Validate, RefusesMagnitudesWhoseSquaresLeaveTheRangeOfDoubles) {
             "forcing.term[0].cos = 1e-200 " + bounds);
   EXPECT_EQ(complaint_after([](Problem& p) { p.contacts[0].gap = -1e61; }),
             "contact[0].gap = -1e+61 (must be at most 1e+60)");
-  EXPECT_EQ(complaint_after([](Problem& p) { p.law = Penalty{{5e-324}}; }),
-            "law.penalty[0] = 4.94066e-324 " + bounds);
+  EXPECT_EQ(complaint_after([](Problem& p) { p.set_law(Penalty{{5e-324}}); }),
+            "contact[0].penalty = 4.94066e-324 " + bounds);
   EXPECT_EQ(complaint_after([](Problem& p) { p.contacts[0].gap = 1e-300; }), "");
 }
 
@@ -288,7 +286,7 @@ TEST(Validate, RefusesRigidStopsThatLeaveNoRoom) {
             "");
   EXPECT_EQ(complaint_after([](Problem& p) {
               p.contacts = {{.normal = {{0, 1.0}}, .gap = -0.1}, {.normal = {{0, -1.0}}, .gap = -0.1}};
-              p.law = Penalty{{100.0, 100.0}};  // springs, both compressed
+              p.set_law(Penalty{{100.0, 100.0}});  // springs, both compressed
             }),
             "");
 }

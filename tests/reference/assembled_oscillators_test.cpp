@@ -75,7 +75,7 @@ Problem assembly(double restitution) {
     s.damping = D.sparseView();
     s.stiffness = K.sparseView();
   });
-  problem.law = Restitution{restitution};
+  problem.set_law(Restitution{restitution});
   return problem;
 }
 

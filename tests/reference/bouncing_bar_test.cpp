@@ -61,7 +61,7 @@ Problem free_bar(int elements) {
     problem.force.push_back({.dof = i, .harmonic = 0, .cos = -share * h * kGravity, .sin = 0.0});
   }
   problem.contacts = {{.normal = {{elements, -1.0}}, .gap = 0.0}};
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

@@ -130,8 +130,9 @@ Bounce periodic_bounce(const Stop& stop) {
 Problem scene(const Stop& stop) {
   Problem problem =
       test::to_problem({.damping = kDamping, .frequency = kFrequency, .gap = kGap, .restitution = 1.0});
-  damp_stops(problem, damped_stops(problem.contacts, {stop.stiffness}, {stop.damping}));
-  problem.law = Massless{};
+  damp_stops(problem,
+             {{.normal = problem.contacts[0].normal, .stiffness = stop.stiffness, .damping = stop.damping}});
+  problem.set_law(Massless{});
   validate(problem);
   return problem;
 }

@@ -71,7 +71,7 @@ Problem finite_element_bar(const DistortionlessBar& bar, int elements) {
   problem.frequency = 2.0 * std::numbers::pi / bar.period;
   problem.force = {{.dof = tip, .harmonic = 1, .cos = bar.load, .sin = 0.0}};
   problem.contacts = {{.normal = {{tip, 1.0}}, .gap = bar.gap}};
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

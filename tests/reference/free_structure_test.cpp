@@ -67,9 +67,9 @@ Problem to_problem(const FreeChain& chain) {
                    {.dof = 0, .harmonic = 1, .cos = chain.amplitude, .sin = 0.0}};
   problem.contacts = {{.normal = {{n - 1, 1.0}}, .gap = kGap}};
   if (chain.massless) {
-    problem.law = Massless{};
+    problem.set_law(Massless{});
   } else {
-    problem.law = Restitution{chain.restitution};
+    problem.set_law(Restitution{chain.restitution});
   }
   return problem;
 }

@@ -41,7 +41,7 @@ ImpactOscillator oscillator_of(const Problem& problem, int order) {
           .load = problem.force.front().cos,
           .frequency = problem.frequency,
           .gap = problem.contacts.front().gap,
-          .restitution = std::get<Restitution>(problem.law).e,
+          .restitution = std::get<Restitution>(problem.law()).e,
           .order = order};
 }
 
@@ -139,7 +139,7 @@ double residual_of(const Problem& problem, double c, const std::function<double(
 // err by a slope times a step.
 TEST(PublishedScenes, PermasOneSidedSpringObeysItsEquation) {
   const Problem problem = shipped("sdof-permas-039");
-  EXPECT_EQ(std::get<Penalty>(problem.law).stiffness, std::vector<double>{15.0});
+  EXPECT_EQ(std::get<Penalty>(problem.law()).stiffness, std::vector<double>{15.0});
   const auto spring = [](double x) { return x + 15.0 * std::max(0.0, x); };
   EXPECT_LT(residual_of(problem, 0.25, spring, [](double t) { return std::cos(2.6 * t); }), 1e-3);
 }

@@ -85,9 +85,9 @@ Problem ManufacturedChain::problem(int highest) const {
                       {.normal = {{5, -1.0}}, .gap = resting[1].gap},
                       {.normal = {{2, 1.0}, {3, -0.5}}, .gap = resting[2].gap}};
   if (massless) {
-    problem.law = Massless{};
+    problem.set_law(Massless{});
   } else {
-    problem.law = Restitution{restitution};
+    problem.set_law(Restitution{restitution});
   }
   const Eigen::MatrixXd W = contact_directions(problem);
   for (int n = 0; n <= highest; ++n) {

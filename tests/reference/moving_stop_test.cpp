@@ -177,7 +177,7 @@ TEST(MovingBase, IsTheSameMotionToldAtRest) {
 TEST(MovingStop, OfASpringIsTheSpringsForceAtRest) {
   constexpr double kStiffness = 50.0;
   Problem problem = scene(1.0);
-  problem.law = Penalty{{kStiffness}};
+  problem.set_law(Penalty{{kStiffness}});
   const Solution solution = test::solve<ExactOrbitMethod>(problem, {});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   // The equation of motion at rest, by differences of the absolute displacement.

@@ -165,7 +165,7 @@ Problem finite_element_bar(const NonsmoothBar& bar, int elements) {
   });
   problem.frequency = 2.0 * std::numbers::pi / bar.period;
   problem.contacts = {{.normal = {{tip, 1.0}}, .gap = bar.gap}};
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

@@ -129,7 +129,7 @@ class SoftStop : public testing::Test {
                       std::sqrt(exact_.row(0).squaredNorm() + 2.0 * exact_.bottomRows(kTail).squaredNorm());
   Problem problem_ = [] {
     Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2});
-    problem.law = Penalty{{100.0}};
+    problem.set_law(Penalty{{100.0}});
     return problem;
   }();
 };

@@ -101,7 +101,7 @@ ReferenceStructure load_structure(const std::string& name) {
     }
     problem.contacts.push_back(contact);
   }
-  problem.law = Penalty{data.at("penalty").get<std::vector<double>>()};
+  problem.set_law(Penalty{data.at("penalty").get<std::vector<double>>()});
   return structure;
 }
 
@@ -122,7 +122,7 @@ Problem reference_oscillator(double omega, Law law) {
   problem.frequency = omega;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = 1.0}};
-  problem.law = std::move(law);
+  problem.set_law(std::move(law));
   return problem;
 }
 
@@ -132,7 +132,7 @@ std::shared_ptr<const Trajectory> start_from(const ReferenceMotion& motion, cons
   data.x = motion.x;
   data.lambda = Eigen::MatrixXcd::Zero(motion.x.rows(), motion.x.cols());
   data.gap = contact_gaps(problem);
-  const auto& stop = std::get<Penalty>(problem.law).stiffness;
+  const std::vector<double> stop = std::get<Penalty>(problem.law()).stiffness;
   data.stiffness = Eigen::Map<const Eigen::VectorXd>(stop.data(), data.gap.size());
   data.multiplier_weight = Eigen::VectorXd::Zero(data.gap.size());
   // Known of the motion is x alone; the spring's force follows from it.

@@ -56,7 +56,7 @@ Problem scene(const Rotor& rotor, double gap, Law law) {
   });
   problem.force = {{.dof = 0, .cos = rotor.load}, {.dof = 1, .sin = rotor.load}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = gap}, {.normal = {{1, 1.0}}, .gap = 50.0}};
-  problem.law = std::move(law);
+  problem.set_law(std::move(law));
   validate(problem);
   return problem;
 }

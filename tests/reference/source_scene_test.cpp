@@ -33,7 +33,7 @@ test::ImpactOscillator oscillator() {
           .load = scene().force.at(0).cos,
           .frequency = scene().frequency,
           .gap = scene().contacts.at(0).gap,
-          .restitution = std::get<Restitution>(scene().law).e};
+          .restitution = std::get<Restitution>(scene().law()).e};
 }
 
 struct ImpactOrbit {

@@ -126,14 +126,14 @@ Problem pressed_structure(unsigned seed, const Law& law, double ripple) {
     for (int i = 0; i < 3; ++i) contact.normal.emplace_back(i, (i == c ? 1.0 : 0.0) + 0.3 * draw(random));
     problem.contacts.push_back(contact);
   }
-  problem.law = law;
+  problem.set_law(law);
   return problem;
 }
 
 /// The static contact problem of a scene whose stops are springs: to a structure with a rigid stop behind a
 /// massless coordinate they are the same, x_j = x_b + |lambda| / k.
 test::StaticContact static_on_springs(const Problem& problem) {
-  const auto& stop = std::get<Penalty>(problem.law);
+  const auto stop = std::get<Penalty>(problem.law());
   const int size = problem.size(), contacts = problem.contact_count();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size + contacts, size + contacts);
   K.topLeftCorner(size, size) = problem.stiffness();
@@ -310,7 +310,7 @@ Problem pressed_pair(double coupling, double restitution) {
                    {.dof = 1, .harmonic = 0, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{0, 1.0}, {1, coupling}}, .gap = 0.1},
                       {.normal = {{0, coupling}, {1, 1.0}}, .gap = 0.12}};
-  problem.law = Restitution{restitution};
+  problem.set_law(Restitution{restitution});
   return problem;
 }
 

@@ -31,7 +31,7 @@ inline Problem damped_chain(int masses, int contacts = 2) {
   problem.force = {{0, 1, 1.0, 0.5}, {masses - 1, 3, 0.0, 0.7}, {0, 0, 0.25, 0.0}};
   for (int j = 0; j < contacts; ++j)
     problem.contacts.push_back({{{j % masses, 1.0}, {(j + 1) % masses, -0.5}}, 0.1 + 0.01 * j});
-  problem.law = Restitution{1.0};
+  problem.set_law(Restitution{1.0});
   return problem;
 }
 

@@ -25,7 +25,7 @@ Problem elastic_block_problem(const ElasticBlock& block) {
   problem.force = {{mesh.coordinate({block.nx, block.ny, block.nz}, 0), 1, 1.0, 0.5},
                    {mesh.coordinate({block.nx, block.ny, 0}, 1), 3, 0.0, 0.7},
                    {mesh.coordinate({block.nx, 0, block.nz}, 2), 0, 0.25, 0.0}};
-  problem.law = Restitution{1.0};
+  problem.set_law(Restitution{1.0});
   return problem;
 }
 

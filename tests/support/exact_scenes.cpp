@@ -19,13 +19,13 @@ Problem skew_damped_pair(double restitution, double frequency) {
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 0.6, .sin = 0.3},
                    {.dof = 1, .harmonic = 2, .cos = 0.0, .sin = 0.2}};
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = 0.5}};
-  problem.law = Restitution{restitution};
+  problem.set_law(Restitution{restitution});
   return problem;
 }
 
 Problem penalty_oscillator(double penalty, double frequency, double gap) {
   Problem problem = to_problem({.damping = 0.1, .frequency = frequency, .gap = gap});
-  problem.law = Penalty{.stiffness = {penalty}};
+  problem.set_law(Penalty{.stiffness = {penalty}});
   return problem;
 }
 
@@ -44,7 +44,7 @@ Problem stopped_chain(int masses, double restitution, int stops, double frequenc
   problem.force = {{.dof = masses - 1, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   for (int j = 0; j < stops; ++j)
     problem.contacts.push_back({.normal = {{masses - 1 - j, 1.0}}, .gap = 0.4 + 0.2 * j});
-  problem.law = Restitution{restitution};
+  problem.set_law(Restitution{restitution});
   return problem;
 }
 

@@ -137,7 +137,7 @@ Problem to_problem(const ImpactOscillator& o) {
   if (o.static_load != 0.0)
     problem.force.push_back({.dof = 0, .harmonic = 0, .cos = o.static_load, .sin = 0.0});
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = o.gap}};
-  problem.law = Restitution{o.restitution};
+  problem.set_law(Restitution{o.restitution});
   return problem;
 }
 

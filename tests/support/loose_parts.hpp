@@ -35,7 +35,7 @@ inline Problem gear_backlash() {
   problem.frequency = 0.9;
   problem.force = {{.dof = 0, .harmonic = 0, .cos = 0.1}, {.dof = 0, .cos = 0.05, .omega_power = 2}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = 1.0}, {.normal = {{0, -1.0}}, .gap = 1.0}};
-  problem.law = Penalty{.stiffness = {1.0, 1.0}};
+  problem.set_law(Penalty{.stiffness = {1.0, 1.0}});
   return problem;
 }
 
@@ -46,7 +46,7 @@ inline Problem bouncing_ball() {
   problem.frequency = 14.142135623730951;
   problem.force = {{.dof = 0, .harmonic = 0, .cos = 9.81}, {.dof = 0, .cos = -0.05, .omega_power = 2}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.0}};
-  problem.law = Restitution{0.8};
+  problem.set_law(Restitution{0.8});
   return problem;
 }
 inline constexpr double kBallImpulse = 4.358468162333357;  ///< m g T of the last [N s]

@@ -29,7 +29,7 @@ Problem massless_node(double gap, double spring) {
   problem.frequency = 2.2;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = gap}};
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 
@@ -65,7 +65,7 @@ Problem coupled_massless_scene(unsigned seed) {
       contact.normal.emplace_back(kMasses + b, (b == c ? 1.0 : 0.0) + 0.4 * draw(random));
     problem.contacts.push_back(contact);
   }
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 
@@ -93,7 +93,7 @@ Problem ring_in_polygon(int facets, double speed, double spring) {
     const double angle = 2.0 * std::numbers::pi * (j + 0.5) / facets;
     problem.contacts.push_back({.normal = {{2, std::cos(angle)}, {3, std::sin(angle)}}, .gap = kGap});
   }
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

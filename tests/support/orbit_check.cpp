@@ -22,8 +22,10 @@ class Follower {
         g_(contact_gaps(problem)),
         n_(problem.size()) {
     M_ = LuFactors(problem.mass()).inverse();
-    if (const auto* law = std::get_if<Restitution>(&problem.law)) e_ = law->e;
-    if (const auto* law = std::get_if<Penalty>(&problem.law)) springs_ = law->stiffness;
+    if (const Law law_of_all = problem.law(); const auto* law = std::get_if<Restitution>(&law_of_all))
+      e_ = law->e;
+    if (const Law law_of_all = problem.law(); const auto* law = std::get_if<Penalty>(&law_of_all))
+      springs_ = law->stiffness;
   }
 
   OrbitCheck run() {

@@ -123,7 +123,7 @@ std::vector<Problem> chain_population(int count, unsigned long seed) {
       const int dof = j == 0 ? masses - 1 : random.below(masses - 1);
       problem.contacts.push_back({.normal = {{dof, 1.0}}, .gap = random.uniform(-0.1, 0.9) * amplitude[dof]});
     }
-    problem.law = Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]};
+    problem.set_law(Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]});
     scenes.push_back(std::move(problem));
   }
   return scenes;
@@ -135,7 +135,7 @@ std::vector<Problem> mixed_population(int count, unsigned long seed) {
   while (static_cast<int>(scenes.size()) < count) {
     Problem problem = mixed_structure(random, scenes.size() % 2 == 0 ? 1 : 2 + random.below(3));
     if (!add_stops(random, problem)) continue;
-    problem.law = Restitution{kRestitutions[scenes.size() / 2 % std::size(kRestitutions)]};
+    problem.set_law(Restitution{kRestitutions[scenes.size() / 2 % std::size(kRestitutions)]});
     scenes.push_back(std::move(problem));
   }
   return scenes;
@@ -168,7 +168,7 @@ std::vector<Problem> beam_population(int count, unsigned long seed) {
       stopped.push_back(dof);
       problem.contacts.push_back({.normal = {{dof, 1.0}}, .gap = random.uniform(0.0, 0.8) * amplitude[dof]});
     }
-    problem.law = Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]};
+    problem.set_law(Restitution{kRestitutions[static_cast<std::size_t>(scene) % std::size(kRestitutions)]});
     scenes.push_back(std::move(problem));
   }
   return scenes;

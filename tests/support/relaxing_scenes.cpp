@@ -39,7 +39,7 @@ Problem damped_tip_chain(double dashpot) {
   problem.frequency = 1.1;
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 0.5, .sin = 0.0}};
   problem.contacts = {{.normal = {{3, 1.0}}, .gap = 0.2}};
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

@@ -13,7 +13,7 @@ Problem on_structure(Structure structure, const ProportionalDamping& damping) {
   structure.damping = combination(damping, structure.mass, structure.stiffness);
   Problem problem;
   problem.structure = std::make_shared<const Structure>(std::move(structure));
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

@@ -75,7 +75,8 @@ class Prepared final : public signorini::PreparedMethod {
 
  private:
   static std::optional<double> restitution_of(const Problem& problem) {
-    const auto* law = std::get_if<signorini::Restitution>(&problem.law);
+    const signorini::Law scene_law = problem.law();
+    const auto* law = std::get_if<signorini::Restitution>(&scene_law);
     return law != nullptr ? std::optional(law->e) : std::nullopt;
   }
 
@@ -99,7 +100,7 @@ signorini::Support HatLemke::supports(const Problem& problem) const {
 }
 
 signorini::RepresentedLaw HatLemke::law(const Problem& problem) const {
-  return signorini::as_represented(problem.law);
+  return signorini::as_represented(problem.law());
 }
 
 std::unique_ptr<signorini::PreparedMethod> HatLemke::prepare(const Problem& problem) const {

@@ -9,7 +9,7 @@ namespace siconos_rivals {
 
 signorini::Support ImpactMethod::supports(const signorini::Problem& problem) const {
   constexpr int kMostCoordinates = 400;  // 160 us a step at 100, growing with the square
-  if (!std::holds_alternative<signorini::Restitution>(problem.law))
+  if (!std::holds_alternative<signorini::Restitution>(problem.law()))
     return {false, "no law of impact in the scene"};
   if (problem.size() > kMostCoordinates) return {false, "dense matrices of more than 400 coordinates"};
   if ((problem.mass().diagonal().array() <= 0.0).any()) return {false, "coordinates without mass"};
@@ -17,7 +17,7 @@ signorini::Support ImpactMethod::supports(const signorini::Problem& problem) con
 }
 
 signorini::RepresentedLaw ImpactMethod::law(const signorini::Problem& problem) const {
-  return std::get<signorini::Restitution>(problem.law);
+  return std::get<signorini::Restitution>(problem.law());
 }
 
 System system_of(const signorini::Problem& problem) {
@@ -29,7 +29,7 @@ System system_of(const signorini::Problem& problem) {
           .stiffness = problem.stiffness(),
           .directions = contact_directions(problem),
           .gap = gap,
-          .restitution = std::get<signorini::Restitution>(problem.law).e,
+          .restitution = std::get<signorini::Restitution>(problem.law()).e,
           .load = [&problem](double time) { return load_at(problem, time); }};
 }
 

@@ -27,7 +27,7 @@ class RecordedCurves final : public Method, public CurveMethod {
     return {false, "a file of branches has no solves"};
   }
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override {
-    return represents_(problem.law).value_or(Undetermined{});
+    return represents_(problem.law()).value_or(Undetermined{});
   }
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const override {
     throw std::runtime_error(supports(problem).reason);
@@ -37,7 +37,7 @@ class RecordedCurves final : public Method, public CurveMethod {
   [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
     const Problem problem = scene.at(scene.from);
     if (scene.parameter != kFrequency) return {false, "its curves are over the frequency of the load"};
-    if (!represents_(problem.law)) return {false, "its description names no law for this scene's"};
+    if (!represents_(problem.law())) return {false, "its description names no law for this scene's"};
     if (std::ranges::find(*branches_, problem.name, &ExchangedBranch::scene) == branches_->end())
       return {false, fmt::format("its file has no branch of {}", problem.name)};
     return {};

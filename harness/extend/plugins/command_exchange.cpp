@@ -54,7 +54,8 @@ Json write_force(const Problem& problem) {
 Json write_problem(const Problem& problem) {
   Json contacts = Json::array();
   for (const Contact& contact : problem.contacts)
-    contacts.push_back({{"normal", contact.normal}, {"gap", contact.gap}});
+    contacts.push_back(
+        {{"normal", contact.normal}, {"gap", contact.gap}, {"law", contact_law_json(contact.law)}});
   return {{"name", kUnnamed},
           {"size", problem.size()},
           {"mass", write_matrix(problem.mass())},
@@ -65,7 +66,7 @@ Json write_problem(const Problem& problem) {
           {"period", problem.period()},
           {"force", write_force(problem)},
           {"contacts", std::move(contacts)},
-          {"law", JsonForm<RepresentedLaw>::write(as_represented(problem.law))}};
+          {"law", JsonForm<RepresentedLaw>::write(as_represented(problem.law()))}};
 }
 
 [[noreturn]] void refuse(const std::string& what) {

@@ -38,6 +38,22 @@ struct LawOnScene {
     if (const auto* own = std::get_if<Restitution>(&laws.restitution)) return *own;
     return std::nullopt;
   }
+  std::optional<RepresentedLaw> operator()(const MixedLaws& mixed) const {
+    if (!laws.mixed) return std::nullopt;
+    MixedLaws own;
+    for (const ContactLaw& one : mixed.laws) {
+      if (std::holds_alternative<Spring>(one) ? !laws.penalty
+                                              : std::holds_alternative<Massless>(one) && !laws.massless)
+        return std::nullopt;
+      own.laws.push_back(one);
+      const auto* restitution = std::get_if<Restitution>(&one);
+      if (restitution == nullptr) continue;
+      const auto represented = (*this)(*restitution);
+      if (!represented || std::holds_alternative<Undetermined>(*represented)) return represented;
+      own.laws.back() = std::get<Restitution>(*represented);
+    }
+    return own;
+  }
 };
 
 /// The program as it can be run: a file of the folder, or found on the PATH by its name.
@@ -148,10 +164,11 @@ bool represents_scene(const SceneField& field) {
 
 RepresentedLaws read_represented(const SceneField& field) {
   constexpr const char* kRestitution = "must be a number in 0..1, \"scene\" or \"undetermined\"";
-  field.allow_only({"restitution", "penalty", "massless", "no_contact"},
+  field.allow_only({"restitution", "penalty", "massless", "mixed", "no_contact"},
                    "must be a table of the laws that the answers obey");
   RepresentedLaws laws{.penalty = represents_scene(field["penalty"]),
                        .massless = represents_scene(field["massless"]),
+                       .mixed = represents_scene(field["mixed"]),
                        .no_contact = represents_scene(field["no_contact"])};
   const SceneField restitution = field["restitution"];
   if (!restitution.given()) return laws;
@@ -195,6 +212,7 @@ std::string RepresentedLaws::text() const {
   if (std::holds_alternative<Undetermined>(restitution)) texts.emplace_back("restitution undetermined");
   if (penalty) texts.emplace_back("penalty");
   if (massless) texts.emplace_back("massless");
+  if (mixed) texts.emplace_back("mixed");
   if (texts.empty()) texts.emplace_back("none: scenes without contact only");
   return joined(texts, ", ");
 }

@@ -157,7 +157,7 @@ class CommandMethod final : public Method, public CurveMethod {
   }
 
   [[nodiscard]] Support supports(const Problem& problem) const override {
-    if (!description_.represents.on(problem.law))
+    if (!description_.represents.on(problem.law()))
       return {false, "its description names no law for this scene's"};
     const auto exceeds = [](int count, const std::optional<int>& most) { return most && count > *most; };
     if (exceeds(problem.size(), description_.most_coordinates))
@@ -168,7 +168,7 @@ class CommandMethod final : public Method, public CurveMethod {
   }
 
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override {
-    return description_.represents.on(problem.law).value_or(Undetermined{});
+    return description_.represents.on(problem.law()).value_or(Undetermined{});
   }
 
   /// `solve` throws SolveFailure where the command crashes, prints no answer or is stopped.

@@ -34,6 +34,7 @@ struct RepresentedLaws {
   OfRestitution restitution = {};
   bool penalty = false;
   bool massless = false;
+  bool mixed = false;  ///< each contact has its own of these
   bool no_contact = false;
 
   /// Empty where the law is not supported.

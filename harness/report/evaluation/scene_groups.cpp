@@ -19,6 +19,7 @@ std::optional<SceneKind> kind_of_law(const RepresentedLaw& law) {
     return rigid->e == 1.0 ? SceneKind::rigid_stop : SceneKind::restitution;
   if (std::holds_alternative<Penalty>(law)) return SceneKind::spring;
   if (std::holds_alternative<Massless>(law)) return SceneKind::massless;
+  if (std::holds_alternative<MixedLaws>(law)) return SceneKind::mixed_laws;
   return std::nullopt;
 }
 
@@ -147,6 +148,8 @@ std::string_view kind_title(SceneKind kind) {
       return "Spring";
     case SceneKind::massless:
       return "Massless contact";
+    case SceneKind::mixed_laws:
+      return "Mixed laws";
     case SceneKind::many_contacts:
       return "Many contacts (5 or more)";
     case SceneKind::large_structure:
@@ -161,6 +164,7 @@ std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,
                                        std::optional<int> coordinates, std::optional<int> contacts) {
   const std::optional<SceneKind> by_law = law ? kind_of_law(*law) : std::nullopt;
   if (!by_law) return std::nullopt;
+  if (by_law == SceneKind::mixed_laws) return by_law;
   if (coordinates >= kLargeStructure) return SceneKind::large_structure;
   if (contacts >= kManyContacts) return SceneKind::many_contacts;
   return by_law;

@@ -11,13 +11,15 @@
 
 namespace signorini {
 
-/// What a scene asks of a method, in the order of reports. A large structure is one whatever its contacts;
-/// many contacts are that whatever their law. What a motion that touches nothing solves is of no other kind.
+/// What a scene asks of a method, in the order of reports. Contacts of different laws are that whatever the
+/// structure, else a large structure is one whatever its contacts; many contacts are that whatever their law.
+/// What a motion that touches nothing solves is of no other kind.
 enum class SceneKind {
   rigid_stop,
   restitution,
   spring,
   massless,
+  mixed_laws,
   many_contacts,
   large_structure,
   contact_free

@@ -125,7 +125,8 @@ BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod&
     const SeriesFamily family = family_of(scene, method, harmonics);
     diagram = SeriesDiagram(family, limits).run(scene, answers);
     diagram.notes.insert(diagram.notes.begin(), notes.begin(), notes.end());
-    const auto* law = std::get_if<Restitution>(&problem.law);
+    const Law scene_law = problem.law();
+    const auto* law = std::get_if<Restitution>(&scene_law);
     if (law != nullptr && law->e < 1.0)
       diagram.notes.push_back(
           fmt::format("curves of harmonic balance have restitution 1, the scene has {:g}", law->e));

@@ -80,7 +80,7 @@ class StepSearch {
     while (contact + 1 < next_.intervals.size() && next_.intervals[contact] == here_.intervals[contact])
       ++contact;
     const bool gained = next_.intervals[contact] > here_.intervals[contact];
-    const bool rigid = std::holds_alternative<Restitution>(curve_.series().problem().law);
+    const bool rigid = has_impacts(curve_.series().problem());
     add(*length, rigid ? SpecialKind::grazing : SpecialKind::contact_change,
         fmt::format("contact {} {} to press", contact, gained ? "begins" : "ceases"));
     const bool free =

@@ -71,7 +71,7 @@ std::optional<Problem> sprung_scene(const SeriesCurve& curve) {
   Penalty springs;
   for (Eigen::Index j = 0; j < softness.size(); ++j)
     springs.stiffness.push_back(pressed ? curve.law().constant[j] / softness[j] : 1.0);
-  sprung.law = std::move(springs);
+  sprung.set_law(std::move(springs));
   return sprung;
 }
 

@@ -48,12 +48,11 @@ std::vector<Eigen::Index> opposite_contacts(const Problem& problem) {
   const auto count = static_cast<Eigen::Index>(problem.contacts.size());
   if (count == 0 || count % 2 != 0) return {};
   const ContactReceptance receptance = fourier_receptance(problem, harmonics);
-  const auto* springs = std::get_if<Penalty>(&problem.law);
   std::vector<Eigen::Index> opposite(problem.contacts.size(), -1);
   for (std::size_t j = 0; j < opposite.size(); ++j) {
     for (std::size_t k = j + 1; k < opposite.size() && opposite[j] < 0; ++k) {
       const bool alike = problem.contacts[j].gap == problem.contacts[k].gap &&
-                         (springs == nullptr || springs->stiffness[j] == springs->stiffness[k]);
+                         problem.contacts[j].law == problem.contacts[k].law;
       if (opposite[k] >= 0 || !alike ||
           !opposite_response(receptance.free_response, static_cast<Eigen::Index>(j),
                              static_cast<Eigen::Index>(k)))

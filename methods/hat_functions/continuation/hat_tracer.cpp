@@ -254,7 +254,7 @@ class HatTracer final : public CurveTracer<HatStart> {
     x_ = curve_.on_pressing(all);
     if (!curve_.evaluate(x_)) return end_broken();
     if (was_free || pressing.empty()) {
-      const bool rigid = std::holds_alternative<Restitution>(curve_.family().problem.law);
+      const bool rigid = has_impacts(curve_.family().problem);
       mark(rigid ? SpecialKind::grazing : SpecialKind::contact_change,
            fmt::format("contact {} {} to press", change.node / curve_.samples(),
                        was_free ? "begins" : "ceases"));

@@ -23,7 +23,9 @@ bool is_driven(const Problem& problem) {
 std::string continuation_obstacle(const Problem& problem) {
   if (problem.size() > kMostInDenseFlow)
     return fmt::format("{} coordinates are more than {}", problem.size(), kMostInDenseFlow);
-  const auto* law = std::get_if<Restitution>(&problem.law);
+  const Law scene_law = problem.law();
+  if (std::holds_alternative<MixedLaws>(scene_law)) return "contacts of different laws are not continued";
+  const auto* law = std::get_if<Restitution>(&scene_law);
   const bool loses = problem.damping().norm() > 0.0 || (law != nullptr && law->e < 1.0);
   if (!is_driven(problem) && loses) return "without a periodic load it comes to rest";
   if (std::string obstacle = flow_obstacle(problem); !obstacle.empty()) return obstacle;

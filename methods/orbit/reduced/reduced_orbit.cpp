@@ -62,7 +62,7 @@ std::string reduction_obstacle(const Problem& problem) {
 
 bool prefers_reduction(const Problem& problem) {
   constexpr int kManySprings = 10, kMostSprung = 100;
-  const bool sprung = std::holds_alternative<Penalty>(problem.law) &&
+  const bool sprung = std::holds_alternative<Penalty>(problem.law()) &&
                       problem.contact_count() >= kManySprings && problem.size() > kMostSprung;
   return (sprung || problem.size() > kMostInDenseFlow) && reduction_obstacle(problem).empty();
 }

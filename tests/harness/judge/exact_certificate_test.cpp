@@ -72,7 +72,7 @@ Record judged(const Problem& problem, std::shared_ptr<const Trajectory> answer) 
   const SampledAnswer sampled = sample_answer(problem, *answer);
   Record record;
   record.status = Status::converged;
-  record.law = as_represented(problem.law);
+  record.law = as_represented(problem.law());
   record.certificate =
       certify(problem, answer, sampled.motion, {}, orbit_tools(), Deadline::after(60.0)).certificate;
   apply_verdict(record);
@@ -97,7 +97,7 @@ TEST(Verdicts, OnGrossLiesAreRefutations) {
       {rigid, still}, {rigid, linear}, {rigid, pushed}};
   for (const double stiffness : {5.0, 100.0, 1e4}) {
     Problem spring = rigid;
-    spring.law = Penalty{.stiffness = {stiffness}};
+    spring.set_law(Penalty{.stiffness = {stiffness}});
     lies.insert(lies.end(), {{spring, still}, {spring, linear}});
   }
   for (const auto& [problem, lie] : lies) {

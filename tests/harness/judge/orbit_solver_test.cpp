@@ -48,7 +48,7 @@ TEST(FlowOrbits, AreTheContactFreeMotionAtBothTolerances) {
 TEST(FlowOrbits, SayWhyAStructureCannotBeFollowed) {
   Problem problem = test::one_mass();
   problem.edit_structure([](Structure& s) { s.mass.coeffRef(0, 0) = 0.0; });  // damped, without mass
-  problem.law = Penalty{{10.0}};
+  problem.set_law(Penalty{{10.0}});
   const Solution solution = flow_orbits()(problem, marching_options(), {});
   EXPECT_EQ(solution.verdict, Verdict::not_converged);
   EXPECT_EQ(solution.trajectory, nullptr);

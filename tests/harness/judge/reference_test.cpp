@@ -32,9 +32,9 @@ TEST(ReferenceJson, ComesBackAsItWent) {
 
 TEST(UnderLaw, ReplacesTheLawUnlessItIsUndetermined) {
   const Problem problem = test::one_mass(1.0, 0.5);
-  EXPECT_EQ(std::get<Restitution>(under_law(problem, Restitution{1.0}).law).e, 1.0);
-  EXPECT_EQ(std::get<Restitution>(under_law(problem, Undetermined{}).law).e, 0.5);
-  EXPECT_TRUE(std::holds_alternative<Penalty>(under_law(problem, Penalty{{3.0}}).law));
+  EXPECT_EQ(std::get<Restitution>(under_law(problem, Restitution{1.0}).law()).e, 1.0);
+  EXPECT_EQ(std::get<Restitution>(under_law(problem, Undetermined{}).law()).e, 0.5);
+  EXPECT_TRUE(std::holds_alternative<Penalty>(under_law(problem, Penalty{{3.0}}).law()));
 }
 
 TEST(ComputeReference, IsNoneWhereMarchingStoppedAwayFromTheExactOrbit) {

@@ -133,12 +133,18 @@ TEST(RecordJson, ComesBackAsItWentForEveryStatusAndLaw) {
     EXPECT_EQ(to_json(record_from_json(Json::parse(json.dump()))), json) << json.dump();
   }
   for (const RepresentedLaw& law : std::vector<RepresentedLaw>{
-           Restitution{0.25}, Penalty{{1.0, 2.0}}, Massless{}, Undetermined{}, std::monostate{}}) {
+           Restitution{0.25}, Penalty{{1.0, 2.0}}, Massless{}, Undetermined{}, std::monostate{},
+           MixedLaws{{Restitution{0.5}, Spring{2.0}, Massless{}}}}) {
     EXPECT_EQ(JsonForm<RepresentedLaw>::read(JsonForm<RepresentedLaw>::write(law)).index(), law.index());
   }
   EXPECT_EQ(JsonForm<RepresentedLaw>::write(Restitution{0.8}).dump(), R"({"restitution":0.8})");
   EXPECT_EQ(JsonForm<RepresentedLaw>::write(Penalty{{1.5}}).dump(), R"({"penalty":[1.5]})");
   EXPECT_EQ(JsonForm<RepresentedLaw>::write(Massless{}).dump(), R"({"massless":true})");
+  const RepresentedLaw mixed = MixedLaws{{Restitution{0.5}, Spring{2.0}, Massless{}}};
+  const Json written = JsonForm<RepresentedLaw>::write(mixed);
+  EXPECT_EQ(written.dump(), R"({"mixed":[{"restitution":0.5},{"penalty":2.0},{"massless":true}]})");
+  EXPECT_EQ(std::get<MixedLaws>(JsonForm<RepresentedLaw>::read(written)).laws,
+            std::get<MixedLaws>(mixed).laws);
 }
 
 TEST(RecordJson, LeavesOutWhatDoesNotExist) {

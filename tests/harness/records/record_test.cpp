@@ -81,6 +81,8 @@ TEST(LawText, NamesEveryLaw) {
   EXPECT_EQ(law_text(Penalty{{1e6, 1e6}}), "k = 1e+06 N/m");
   EXPECT_EQ(law_text(Penalty{{1.0, 2.0}}), "k = 1, 2 N/m");
   EXPECT_EQ(law_text(Massless{}), "massless");
+  EXPECT_EQ(law_text(MixedLaws{{Restitution{0.7}, Spring{2e4}, Massless{}}}),
+            "mixed: e = 0.7; k = 20000 N/m; massless");
   EXPECT_EQ(law_text(Undetermined{}), "undetermined");
   EXPECT_EQ(law_text(std::monostate{}), "no contact");
 }

@@ -14,7 +14,7 @@ TEST(ProblemDigest, AsksForTheRepresentedLawAndNotForTheScenesOwn) {
   Problem other = one;
   other.name = "another-name";
   other.title = "another title";
-  other.law = Restitution{0.5};
+  other.set_law(Restitution{0.5});
   EXPECT_EQ(problem_digest(one, Restitution{1.0}), problem_digest(other, Restitution{1.0}));
   EXPECT_NE(problem_digest(one, Restitution{1.0}), problem_digest(one, Restitution{0.5}));
   EXPECT_NE(problem_digest(one, Restitution{1.0}), problem_digest(one, Undetermined{}));

@@ -13,14 +13,15 @@ Applicability method_with(const RepresentedLaw& law) { return {.applies = true, 
 
 /// Finds an orbit under a restitution of 1 only.
 Solution elastic_orbits(const Problem& problem, const PeriodicMotionOptions& options, const Start& start) {
-  const auto* restitution = std::get_if<Restitution>(&problem.law);
+  const Law scene_law = problem.law();
+  const auto* restitution = std::get_if<Restitution>(&scene_law);
   if (restitution == nullptr || restitution->e != 1.0) return {.message = "not elastic"};
   return test::free_orbits()(problem, options, start);
 }
 
 Scene elastic_scene() {
   Scene scene = test::one_mass_scene();
-  scene.problem.law = Restitution{1.0};
+  scene.problem.set_law(Restitution{1.0});
   return scene;
 }
 

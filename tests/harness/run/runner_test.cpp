@@ -165,7 +165,7 @@ TEST(Runner, CallsDeepPenetrationInaccurateWhateverTheOrbits) {
 
 TEST(Runner, LetsASoftStopBePenetrated) {
   Scene scene = test::one_mass_scene(-0.1);
-  scene.problem.law = Penalty{{1e-3}};
+  scene.problem.set_law(Penalty{{1e-3}});
   EXPECT_EQ(run_fake("good", scene).status, Status::converged);
 }
 

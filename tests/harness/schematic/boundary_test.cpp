@@ -77,9 +77,9 @@ TEST(MotionNote, TellsFrequencyOrderAndLaw) {
   Problem problem;
   problem.frequency = 2.2;
   problem.subharmonic = 3;
-  problem.law = Restitution{0.8};
+  problem.set_law(Restitution{0.8});
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, e = 0.8");
-  problem.law = Penalty{{100.0, 1e5}};
+  problem.set_law(Penalty{{100.0, 1e5}});
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, stop of 100 … 100000 N/m");
   problem.frame = {{.dof = 0, .cos = 0.1}};
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, stop of 100 … 100000 N/m, moving stops");

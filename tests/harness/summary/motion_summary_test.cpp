@@ -87,7 +87,7 @@ class Held final : public Trajectory {
 TEST(SummariseMotion, OfAMasslessContactHasItsLargestDisplacementAtTheStop) {
   const Held answer;
   Problem problem = test::to_problem({.frequency = 1.0, .gap = 0.5});
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   const MotionSummary summary =
       summarise_motion(problem, Massless{}, answer, sample_motion(problem, answer), {});
   EXPECT_NEAR(summary.x[0].max, 0.5, 1e-10);

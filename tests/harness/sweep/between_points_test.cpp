@@ -52,9 +52,9 @@ Problem random_chain(std::mt19937& random, int number) {
   }
   const double e = 0.3 + 0.7 * share(random), spring = std::pow(10.0, 1.0 + 2.0 * share(random));
   if (number % 3 == 2)
-    problem.law = Penalty{.stiffness = std::vector<double>(problem.contacts.size(), spring)};
+    problem.set_law(Penalty{.stiffness = std::vector<double>(problem.contacts.size(), spring)});
   else
-    problem.law = Restitution{e};
+    problem.set_law(Restitution{e});
   return problem;
 }
 

@@ -25,7 +25,9 @@ inline Problem random_scene(std::mt19937& random, int number) {
   Problem oscillator = to_problem({.damping = 0.02 * std::pow(20.0, share(random)),
                                    .gap = -0.3 + 1.3 * share(random),
                                    .restitution = restitution});
-  if (number % 2 == 1) oscillator.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.3 + share(random)});
+  if (number % 2 == 1)
+    oscillator.contacts.push_back(
+        {.normal = {{0, -1.0}}, .gap = 0.3 + share(random), .law = oscillator.contacts.front().law});
   return oscillator;
 }
 

@@ -56,7 +56,7 @@ TEST(AugmentedLagrangian, ApproachesTheRestitutionOneOrbit) {
 
 TEST(AugmentedLagrangian, SolvesASpringByItsOwnStiffnessWithoutAnUpdate) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{80.0}};
+  problem.set_law(Penalty{{80.0}});
   const Solution solution = solve<AugmentedLagrangian>(problem, {.harmonics = 12});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_NE(solution.message.find("0 updates"), std::string::npos) << solution.message;
@@ -82,7 +82,7 @@ TEST(AugmentedLagrangian, BeginsAtAMarchWhereContactsAreMany) {
   expect_marched(rigid);
   const Solution lipschitz = solve<FourierLipschitz>(problem, {.common = {.harmonics = 40}});
   EXPECT_LE(test::relative_distance(*rigid.trajectory, *lipschitz.trajectory), 0.1);  // other constants
-  problem.law = Penalty{std::vector<double>(10, 10.0)};
+  problem.set_law(Penalty{std::vector<double>(10, 10.0)});
   const Solution sprung = solve<AugmentedLagrangian>(problem, {.harmonics = 40});
   expect_marched(sprung);
   const Solution same = solve<PenaltyHbm>(problem, {.common = {.harmonics = 40}});
@@ -106,8 +106,8 @@ TEST(AugmentedLagrangian, BeginsAtFewHarmonicsWhereNothingMarches) {
 TEST(AugmentedLagrangian, SaysWhichLawItRepresents) {
   Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.5});
   EXPECT_EQ(std::get<Restitution>(AugmentedLagrangian({}).law(problem)).e, 1.0);
-  problem.law = Penalty{{80.0}};
-  EXPECT_TRUE(law_matches(AugmentedLagrangian({.penalty = Scaled{10.0, true}}).law(problem), problem.law));
+  problem.set_law(Penalty{{80.0}});
+  EXPECT_TRUE(law_matches(AugmentedLagrangian({.penalty = Scaled{10.0, true}}).law(problem), problem.law()));
 }
 
 TEST(AugmentedLagrangian, RefusesOptionsOutOfRange) {

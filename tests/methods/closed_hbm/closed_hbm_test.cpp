@@ -41,17 +41,17 @@ TEST(ClosedHbm, IsNearerTheOrbitThanTheSeriesOfTheProjectedEquations) {
 
 TEST(ClosedHbm, RepresentsTheScenesLawUnlessRestitutionOneIsAsked) {
   Problem problem = test::to_problem({.frequency = 2.2, .gap = 0.2, .restitution = 0.5});
-  EXPECT_TRUE(law_matches(ClosedHbm({}).law(problem), problem.law));
+  EXPECT_TRUE(law_matches(ClosedHbm({}).law(problem), problem.law()));
   const ClosedHbm elastic({.restitution = ClosedHbm::ImpactLaw::none});
   EXPECT_EQ(std::get<Restitution>(elastic.law(problem)).e, 1.0);
-  problem.law = Penalty{{3.0}};
-  EXPECT_TRUE(law_matches(ClosedHbm({}).law(problem), problem.law));
+  problem.set_law(Penalty{{3.0}});
+  EXPECT_TRUE(law_matches(ClosedHbm({}).law(problem), problem.law()));
 }
 
 // No law of impact is asked there: bit for bit the series of the projected equations.
 TEST(ClosedHbm, IsTheSeriesOfTheProjectedEquationsOnSpringsAndMasslessContacts) {
   Problem spring = test::to_problem(kStop);
-  spring.law = Penalty{{50.0}};
+  spring.set_law(Penalty{{50.0}});
   for (const Problem& problem : {spring, test::massless_node()}) {
     for (const int harmonics : {15, 40}) {
       const Solution closed = solve<ClosedHbm>(problem, {.harmonics = harmonics});

@@ -23,7 +23,7 @@ TEST(ClosureSetup, IsThereWhereAMassMeetsARigidStop) {
   const Problem rigid = test::to_problem(kStop);
   EXPECT_TRUE(closure_of(rigid));
   Problem spring = rigid;
-  spring.law = Penalty{{100.0}};
+  spring.set_law(Penalty{{100.0}});
   EXPECT_FALSE(closure_of(spring));
 }
 
@@ -57,9 +57,9 @@ TEST(ClosureSetup, AnswersToImpactsWithAllModesThatTheyExcite) {
 // The contact of this node has no mass: at restitution 1 its force stays as the series has it.
 TEST(ClosureSetup, IsNoneAtRestitutionOneWhereNoMassIsStruck) {
   Problem problem = test::massless_node();
-  problem.law = Restitution{1.0};
+  problem.set_law(Restitution{1.0});
   EXPECT_FALSE(closure_of(problem));
-  problem.law = Restitution{0.5};
+  problem.set_law(Restitution{0.5});
   const std::optional<ClosureSetup> closure = closure_of(problem, {.restitution = 0.5});
   ASSERT_TRUE(closure);
   EXPECT_FALSE(closure->response);

@@ -191,7 +191,7 @@ TEST(NodalStops, AreCompliantWhereTheSceneHasSprings) {
   Problem problem = test::damped_chain(3);
   EXPECT_EQ(nodal_stops(problem, 0.4).compliance, Eigen::Vector2d::Zero());
   EXPECT_EQ(nodal_stops(problem, 0.4).restitution, 0.4);
-  problem.law = Penalty{{50.0, 20.0}};
+  problem.set_law(Penalty{{50.0, 20.0}});
   const NodalStops stops = nodal_stops(problem, std::nullopt);
   EXPECT_NEAR(stops.compliance[0], 0.02, 1e-17);
   EXPECT_NEAR(stops.compliance[1], 0.05, 1e-17);

@@ -24,7 +24,7 @@ TEST(HighestDynamicStiffness, OfOneMassIsItsInertiaAtThreeQuartersOfTheHighestHa
 
 TEST(LipschitzLaw, OfASpringStopWeighsTheMultiplierByItsCompliance) {
   Problem problem = test::to_problem({.stiffness = 4.0, .frequency = 3.0, .gap = 0.1});
-  problem.law = Penalty{{100.0}};
+  problem.set_law(Penalty{{100.0}});
   const ProjectedLaw law = lipschitz_law(problem, 10.0, fourier_receptance(problem, 3));
   EXPECT_DOUBLE_EQ(law.constant[0], 40.0);
   EXPECT_DOUBLE_EQ(law.multiplier_weight[0], 1.0 - 40.0 / 100.0);
@@ -37,7 +37,7 @@ TEST(LipschitzLaw, OfASpringStopHasAConstantInSeriesWithTheSpring) {
   const double c0 = lipschitz_law(problem, {}, receptance).constant[0];
   EXPECT_DOUBLE_EQ(c0, 4.0 * highest_dynamic_stiffness(receptance)[0]);
   for (const double spring : {1e-6, 1.0, 1e6}) {
-    problem.law = Penalty{{spring * c0}};
+    problem.set_law(Penalty{{spring * c0}});
     const ProjectedLaw law = lipschitz_law(problem, {}, receptance);
     EXPECT_NEAR(law.constant[0] * (1.0 / c0 + 1.0 / (spring * c0)), 1.0, 1e-14);
     // In contact -lambda = c (x - g) - alpha lambda is the spring.
@@ -52,7 +52,7 @@ TEST(PenaltyLaw, IsTheScenesSpringOrTheStiffnessAskedFor) {
   EXPECT_DOUBLE_EQ(penalty_law(problem, Scaled{10.0, false}, receptance).constant[0], 10.0);
   EXPECT_DOUBLE_EQ(penalty_law(problem, {}, receptance).constant[0],
                    8.0 * highest_dynamic_stiffness(receptance)[0]);
-  problem.law = Penalty{{100.0}};
+  problem.set_law(Penalty{{100.0}});
   const ProjectedLaw law = penalty_law(problem, {}, receptance);
   EXPECT_DOUBLE_EQ(law.constant[0], 100.0);
   EXPECT_DOUBLE_EQ(law.multiplier_weight[0], 0.0);
@@ -81,7 +81,7 @@ TEST(OnSprings, PutsTheSpringInSeriesWithTheStop) {
 TEST(ProjectedMethodLaw, IsConservativeWhereTheStopIsRigid) {
   Problem problem = test::to_problem({.frequency = 3.0, .gap = 0.1, .restitution = 0.3});
   EXPECT_EQ(std::get<Restitution>(projected_method_law(problem)).e, 1.0);
-  problem.law = Penalty{{100.0}};
+  problem.set_law(Penalty{{100.0}});
   EXPECT_EQ(std::get<Penalty>(projected_method_law(problem)).stiffness.front(), 100.0);
   EXPECT_EQ(std::get<Penalty>(projected_method_law(problem, Scaled{7.0, false})).stiffness.front(), 7.0);
 }

@@ -120,7 +120,7 @@ TEST(MasslessContacts, ANodeOnOneSpringIsThatSpringAsAStop) {
   spring.frequency = 2.2;
   spring.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   spring.contacts = {{.normal = {{0, 1.0}}, .gap = g}};
-  spring.law = Penalty{{k}};
+  spring.set_law(Penalty{{k}});
   for (const Integrator flow : {Integrator::cvode, Integrator::modal}) {
     const Solution node = solve<EventDriven>(test::massless_node(g, k), {.tolerance = 1e-11, .flow = flow});
     const Solution stop = solve<EventDriven>(spring, {.tolerance = 1e-11, .flow = flow});
@@ -214,7 +214,7 @@ TEST(MasslessContacts, DampedOtherwiseAreRefusedWithTheReason) {
   Problem sprung = test::massless_node();
   sprung.edit_structure([&](Structure& s) { s.damping = SparseMatrix(0.1 * s.stiffness); });
   EXPECT_EQ(EventDriven({}).supports(sprung).reason, "");
-  sprung.law = Penalty{.stiffness = {50.0}};
+  sprung.set_law(Penalty{.stiffness = {50.0}});
   EXPECT_EQ(EventDriven({}).supports(sprung).reason,
             "a spring acts on a coordinate without mass that is damped");
 }

@@ -177,7 +177,7 @@ TEST(SpringStopOrbits, HaveTheTabulatedMonodromyTraceAndContactTime) {
                       {1e6, .003136, 4.0795e-4, .199723},   {1e7, .000993, 1.2978e-4, .217226}};
   for (const Row& row : rows) {
     Problem problem = to_problem({.frequency = 2.2, .gap = 0.2});
-    problem.law = Penalty{{row.stiffness}};
+    problem.set_law(Penalty{{row.stiffness}});
     const auto rigid = single_impact_orbits({.frequency = 2.2, .gap = 0.2}).at(0);
     const auto guess = guess_from(problem, one(rigid.x(0.0)), one(rigid.velocity(0.0)));
     const Solution solution =
@@ -213,7 +213,7 @@ struct GreensOrbit {
 std::vector<GreensOrbit> greens_orbits(const Problem& problem) {
   const Eigen::MatrixXd M = problem.mass(), K = problem.stiffness(), D = problem.damping();
   const Eigen::Index n = M.rows();
-  const double w = problem.frequency, T = problem.period(), e = std::get<Restitution>(problem.law).e;
+  const double w = problem.frequency, T = problem.period(), e = std::get<Restitution>(problem.law()).e;
   const double gap = problem.contacts[0].gap;
   Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
   for (const auto& [dof, factor] : problem.contacts[0].normal) b[dof] = factor;
@@ -334,7 +334,7 @@ TEST(IndependentOrbits, OfOneMassAtASpringStop) {
   const auto data = oracle("sdof_penalty_orbits.json");
   for (const auto& orbit : data.at("orbits")) {
     Problem problem = to_problem({.frequency = orbit.at("frequency"), .gap = 1.0});
-    problem.law = Penalty{{orbit.at("penalty").get<double>()}};
+    problem.set_law(Penalty{{orbit.at("penalty").get<double>()}});
     // The reference's own residual is 3e-12 times the sensitivity of a stiff contact.
     expect_spring_orbit(problem, orbit, 1e-9);
   }
@@ -353,7 +353,7 @@ TEST(IndependentOrbits, OfTwoMassesAtASpringStopStableAndUnstable) {
     problem.frequency = orbit.at("frequency");
     problem.force = {{.dof = 1, .harmonic = 1, .cos = 0.1, .sin = 0.0}};
     problem.contacts = {{.normal = {{0, 1.0}}, .gap = 1.0}};
-    problem.law = Penalty{{data.at("penalty").get<double>()}};
+    problem.set_law(Penalty{{data.at("penalty").get<double>()}});
     expect_spring_orbit(problem, orbit, 1e-8);
     unstable += orbit.at("largest_multiplier").get<double>() > 1.0 ? 1 : 0;
   }

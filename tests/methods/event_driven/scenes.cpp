@@ -22,7 +22,7 @@ Problem two_masses(double frequency, double restitution) {
   problem.frequency = frequency;
   problem.force = {{.dof = 1, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = 0.5}};
-  problem.law = Restitution{restitution};
+  problem.set_law(Restitution{restitution});
   return problem;
 }
 

@@ -27,7 +27,7 @@ void expect_population(const std::string& name, const std::vector<Problem>& scen
     SCOPED_TRACE(testing::Message() << name << " scene " << scene);
     const auto found = test::cold_orbit(problem);
     if (!found.orbit) {
-      std::printf("%s %d, e = %g, w = %g: %s\n", name.c_str(), scene, std::get<Restitution>(problem.law).e,
+      std::printf("%s %d, e = %g, w = %g: %s\n", name.c_str(), scene, std::get<Restitution>(problem.law()).e,
                   problem.frequency, found.solution.message.c_str());
       continue;
     }

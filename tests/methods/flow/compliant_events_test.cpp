@@ -40,7 +40,7 @@ Problem masses_with_massless_nodes() {
   problem.force = {{.dof = 0, .harmonic = 1, .cos = 1.0, .sin = 0.0}};
   for (int node = 0; node < kNodes; ++node)
     problem.contacts.push_back({.normal = {{kMasses + node, 1.0}}, .gap = 0.1 + 0.05 * node});
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   return problem;
 }
 

@@ -40,7 +40,7 @@ struct Springs {
       s.stiffness = K.sparseView();
       s.damping = SparseMatrix(0.1 * s.mass) + SparseMatrix(beta * s.stiffness);
     });
-    result.law = Massless{};
+    result.set_law(Massless{});
     return result;
   }
   Eigen::MatrixXd K;

@@ -156,7 +156,7 @@ TEST(FourierLipschitz, WithTheExactContactIntegralTheGridNoLongerMatters) {
 
 TEST(FourierLipschitz, OnASpringStopWithTheSpringsOwnConstantIsThePenaltySolution) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{50.0}};
+  problem.set_law(Penalty{{50.0}});
   const Solution spring =
       solve<FourierLipschitz>(problem, {.common = {.harmonics = 15, .samples = 480}, .c = 50.0});
   const Solution other =
@@ -176,7 +176,7 @@ TEST(FourierLipschitz, OnASpringStopWithTheSpringsOwnConstantIsThePenaltySolutio
 // H^-3.5, whatever the form.
 TEST(FourierLipschitz, OnASoftSpringStopConvergesAsThePenaltyForm) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{50.0}};
+  problem.set_law(Penalty{{50.0}});
   const Solution exact = solve<ExactOrbitMethod>(problem, {});
   ASSERT_EQ(exact.verdict, Verdict::converged);
   std::vector<double> steps, errors;
@@ -209,17 +209,17 @@ TEST(FourierLipschitz, RepresentsRestitutionOneWhateverTheSceneAsksAndSaysSo) {
   for (const HarmonicOptions& common : {HarmonicOptions{}, HarmonicOptions{.plain = true}}) {
     const FourierLipschitz method({.common = common});
     EXPECT_EQ(std::get<Restitution>(method.law(problem)).e, 1.0);
-    EXPECT_FALSE(law_matches(method.law(problem), problem.law));
+    EXPECT_FALSE(law_matches(method.law(problem), problem.law()));
   }
-  problem.law = Penalty{{3.0}};
-  EXPECT_TRUE(law_matches(FourierLipschitz({}).law(problem), problem.law));
+  problem.set_law(Penalty{{3.0}});
+  EXPECT_TRUE(law_matches(FourierLipschitz({}).law(problem), problem.law()));
 }
 
 // The same equations whatever restitution is asked.
 TEST(FourierLipschitz, AnswersAlikeWhateverRestitutionTheSceneAsks) {
   Problem problem = test::to_problem(kStop);
   const Solution elastic = solve<FourierLipschitz>(problem, {});
-  problem.law = Restitution{0.3};
+  problem.set_law(Restitution{0.3});
   const Solution lossy = solve<FourierLipschitz>(problem, {});
   ASSERT_EQ(elastic.verdict, Verdict::converged) << elastic.message;
   EXPECT_EQ(elastic.trajectory->sample(64).x, lossy.trajectory->sample(64).x);

@@ -39,7 +39,7 @@ TEST(DistinctStops, AreThoseWithAnotherNormalOrGap) {
   EXPECT_EQ(distinct_stops(problem)->problem.contact_count(), 3);
   EXPECT_FALSE(distinct_stops(with_copies("sdof-penalty-stiff", 1)));
   Problem springs = with_copies("sdof-penalty-stiff", 2);
-  springs.law = Penalty{{1e3, 1e3}};
+  springs.set_law(Penalty{{1e3, 1e3}});
   EXPECT_FALSE(distinct_stops(springs)) << "two springs are twice as stiff as one";
 }
 

@@ -52,7 +52,7 @@ TEST(HarmonicOptions, PlainSetsWhatIsLeftOpen) {
 TEST(HarmonicOptions, PlainTakesTheLiteraturesConstantsUnlessOneIsGiven) {
   Problem rigid = test::to_problem({.frequency = 2.2, .gap = 0.2});
   Problem spring = rigid;
-  spring.law = Penalty{{300.0}};
+  spring.set_law(Penalty{{300.0}});
   const HarmonicOptions ours;
   EXPECT_FALSE(ours.lipschitz_constant({}, false));
   EXPECT_FALSE(ours.penalty({}, rigid, true));

@@ -44,7 +44,7 @@ TEST(ProjectedMethod, RefusesALoadBeyondItsHarmonicsWhateverThePreset) {
 
 TEST(ProjectedMethod, APenaltyAskedForReplacesASpringOfTheScene) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{50.0}};
+  problem.set_law(Penalty{{50.0}});
   const auto stiffness_of = [&](const Method& method) {
     return std::get<Penalty>(method.law(problem)).stiffness.front();
   };

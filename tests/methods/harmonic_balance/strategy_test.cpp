@@ -64,7 +64,7 @@ TEST(Strategy, DoublesHarmonicsUpTo640WhereNothingConverges) {
 // A spring of 4640 N/m, which 20 harmonics are too few for.
 TEST(Strategy, GoesOnToMoreHarmonicsUntilTwoAgree) {
   Problem problem = test::to_problem({.damping = 0.1164, .frequency = 1.754, .gap = -0.2484});
-  problem.law = Penalty{{4640.0}};
+  problem.set_law(Penalty{{4640.0}});
   const Solution exact = test::solve<ExactOrbitMethod>(problem, {});
   const Solution open = test::solve<FourierLipschitz>(problem, {});
   ASSERT_EQ(open.verdict, Verdict::converged) << open.message;

@@ -54,7 +54,7 @@ TEST(HatContact, RecognisesPermanentContactWithoutAPivot) {
 TEST(HatContact, MarchesToTheContactThatPivotingFindsOnFineGrids) {
   for (const bool massless : {false, true}) {
     Problem scene = test::to_problem(test::ImpactOscillator{.damping = 0.1, .frequency = 0.9, .gap = 0.0});
-    scene.law = Penalty{{3.0}};
+    scene.set_law(Penalty{{3.0}});
     if (massless) scene = test::massless_bar({.alpha = 0.2, .beta = 0.005}, 10);
     constexpr int kSamples = 4096;
     const Solution marched = hat_contact(scene, {.samples = kSamples}, {})->solve({});
@@ -149,7 +149,7 @@ TEST(HatContact, SatisfiesTheContactConditionAtItsNodes) {
 
 TEST(HatContact, OfASceneWithoutContactsIsItsLinearResponse) {
   Problem problem = test::damped_chain(3, 0);
-  problem.law = std::monostate{};
+  problem.set_law(std::monostate{});
   const Solution solution = hat_contact(problem, {.samples = kNodes}, std::nullopt)->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_NE(solution.message.find("no contact"), std::string::npos);

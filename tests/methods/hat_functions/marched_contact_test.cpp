@@ -23,7 +23,7 @@ Samples nodes_of(const Solution& solution, int samples) { return solution.trajec
 
 Problem sprung_bar() {
   Problem problem = test::massless_bar(kStiff, 30);
-  problem.law = Penalty{{50.0}};
+  problem.set_law(Penalty{{50.0}});
   return problem;
 }
 
@@ -121,7 +121,7 @@ TEST(MarchedReduction, IsEmptyWhereNothingCanBeMarched) {
   EXPECT_TRUE(solution.work.pivots);
   Problem alone = damped;
   alone.contacts.clear();
-  alone.law = std::monostate{};
+  alone.set_law(std::monostate{});
   EXPECT_FALSE(marched_reduction(alone));
 }
 

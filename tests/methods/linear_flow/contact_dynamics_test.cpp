@@ -64,7 +64,7 @@ TEST(ContactDynamics, StickingMultiplierOfOneMassIsTheBalanceOfItsForces) {
 TEST(ContactDynamics, DerivativesAgreeWithDifferencesAlongTheMotion) {
   Problem rigid = two_masses(1.1, 0.5);
   Problem spring = rigid;
-  spring.law = Penalty{{7.0}};
+  spring.set_law(Penalty{{7.0}});
   for (const Problem& problem : {rigid, spring}) {
     const ContactDynamics dynamics(problem);
     for (const bool closed : {false, true}) {
@@ -105,7 +105,7 @@ TEST(ContactDynamics, DerivativesAgreeWithDifferencesAlongTheMotion) {
 TEST(ContactDynamics, FlowMatrixIsTheDerivativeOfTheAcceleration) {
   for (const Law& law : {Law(Restitution{0.5}), Law(Penalty{{7.0}})}) {
     Problem problem = two_masses(1.1, 0.5);
-    problem.law = law;
+    problem.set_law(law);
     const ContactDynamics dynamics(problem);
     const ContactMode mode = dynamics.mode({true});
     const Eigen::MatrixXd B = dynamics.flow_matrix(mode);
@@ -131,7 +131,7 @@ TEST(ContactDynamics, ScalesAreThoseOfTheLimitedMotionNearAResonance) {
   // Without contact it is the scale.
   Problem free = to_problem(test::ImpactOscillator{.damping = 0.01, .frequency = 1.0});
   free.contacts.clear();
-  free.law = std::monostate{};
+  free.set_law(std::monostate{});
   EXPECT_NEAR(ContactDynamics(free).scales().displacement, 100.0, 1e-9);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 Problem chain(const Law& law) {
   Problem problem = test::stopped_chain(4, 0.5, 2);
-  problem.law = law;
+  problem.set_law(law);
   return problem;
 }
 

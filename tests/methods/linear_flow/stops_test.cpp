@@ -17,7 +17,7 @@ namespace {
 
 Problem chain(const Law& law) {
   Problem problem = test::stopped_chain(4, 0.5, 2);
-  problem.law = law;
+  problem.set_law(law);
   return problem;
 }
 
@@ -103,7 +103,7 @@ TEST(Stops, FreeFormsMeetTheConstraintWithEveryCoordinate) {
 TEST(Stops, ACloserSpringMakesTheMotionFaster) {
   const double k = 900.0, m = 2.0;
   Problem problem = test::to_problem({.mass = m, .frequency = 1.5, .gap = 0.1});
-  problem.law = Penalty{{k}};
+  problem.set_law(Penalty{{k}});
   const ContactDynamics dynamics(problem);
   EXPECT_NEAR(dynamics.stops().fastest_rate(dynamics.mode({true}), 3.0), std::hypot(3.0, std::sqrt(k / m)),
               1e-12);

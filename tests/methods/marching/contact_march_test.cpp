@@ -31,7 +31,7 @@ class WholeStructure {
         v_(u_),
         v_before_(u_) {
     G_ = W_.transpose() * factors_.solve(W_);
-    if (const auto* springs = std::get_if<Penalty>(&problem.law)) {
+    if (const Law law_of_all = problem.law(); const auto* springs = std::get_if<Penalty>(&law_of_all)) {
       for (Eigen::Index c = 0; c < G_.rows(); ++c)
         G_(c, c) += 1.0 / springs->stiffness[static_cast<std::size_t>(c)];
     }
@@ -90,7 +90,7 @@ Problem three_contacts(unsigned seed, const ProportionalDamping& damping) {
 
 Problem sprung_chain() {
   Problem problem = test::stopped_chain(6, 0.5, 1);
-  problem.law = Penalty{{30.0}};
+  problem.set_law(Penalty{{30.0}});
   problem.edit_structure(
       [&](Structure& s) { s.damping = combination({.alpha = 0.05, .beta = 0.02}, s.mass, s.stiffness); });
   return problem;
@@ -228,7 +228,7 @@ TEST_F(MarchOfTheBlock, CountsWhatItDoes) {
 
 TEST(MarchObstacle, IsAnImpactLaw) {
   Problem problem = test::stopped_chain(3, 0.5, 1);
-  ASSERT_TRUE(std::holds_alternative<Restitution>(problem.law));
+  ASSERT_TRUE(std::holds_alternative<Restitution>(problem.law()));
   EXPECT_EQ(march_obstacle(problem),
             "a contact with mass and an impact law is another one in a reduced structure");
   EXPECT_EQ(march_obstacle(test::massless_node()), "");

@@ -95,7 +95,7 @@ TEST(Admissibility, FindsAContactThatAnEventStopsBeforeItsStop) {
   });
   two.force.push_back(two.force[0]);
   two.force[1].dof = 1;
-  two.contacts.push_back({.normal = {{1, 1.0}}, .gap = o.gap});
+  two.contacts.push_back({.normal = {{1, 1.0}}, .gap = o.gap, .law = two.contacts.front().law});
   OrbitGuess both = one;
   both.start.state.u = Eigen::Vector2d::Constant(one.start.state.u[0]);
   both.start.state.v = Eigen::Vector2d::Constant(one.start.state.v[0]);

@@ -98,7 +98,7 @@ TEST(NearLimit, KnowsOfAMaximumBetweenSamplesOnALine) {
     s.damping = SparseMatrix(2, 2);
   });
   waves.force = {{.dof = 0, .harmonic = 1, .cos = -0.75, .sin = 0.75}};  // its response is cos t - sin t
-  waves.contacts = {{.normal = {{0, 1.0}, {1, 1.0}}, .gap = kFar}};
+  waves.contacts = {{.normal = {{0, 1.0}, {1, 1.0}}, .gap = kFar, .law = Restitution{1.0}}};
   const ContactDynamics dynamics(waves);
   LinearFlows flows(dynamics);
   const std::unique_ptr<LinearArc> arc = flows.of({false}).arc();

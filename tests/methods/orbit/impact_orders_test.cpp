@@ -34,14 +34,14 @@ Problem folded(const Problem& whole, const Eigen::MatrixXd& E) {
   const auto fold = [&E](const SparseMatrix& A) {
     return Eigen::MatrixXd(E.transpose() * Eigen::MatrixXd(A) * E);
   };
-  Problem problem = scene_of(fold(whole.mass()), fold(whole.damping()), fold(whole.stiffness()),
-                             std::get<Restitution>(whole.law).e, whole.frequency);
+  Problem problem =
+      scene_of(fold(whole.mass()), fold(whole.damping()), fold(whole.stiffness()), whole.frequency);
   for (const ForceTerm& term : whole.force) {
     for (int i = 0; i < E.cols(); ++i) {
       if (E(term.dof, i) != 0.0) problem.force.push_back({.dof = i, .cos = term.cos * E(term.dof, i)});
     }
   }
-  Contact contact{.normal = {}, .gap = whole.contacts.front().gap};
+  Contact contact{.normal = {}, .gap = whole.contacts.front().gap, .law = whole.contacts.front().law};
   for (int i = 0; i < E.cols(); ++i) {
     double along = 0.0;
     for (const auto& [dof, coefficient] : whole.contacts.front().normal) along += coefficient * E(dof, i);

@@ -36,7 +36,7 @@ TEST(ModalGreenFunction, IsTheClosedFormOfOneMass) {
 TEST(ModalGreenFunction, WithoutContactsIsTheForcedMotion) {
   Problem problem = test::to_problem({.damping = 0.1, .load = 1.0, .frequency = 2.2, .gap = 0.2});
   problem.contacts.clear();
-  problem.law = {};
+  problem.set_law({});
   const ContactDynamics dynamics(problem);
   const ModalGreenFunction green(dynamics, problem.period());
   ASSERT_TRUE(green.defined());

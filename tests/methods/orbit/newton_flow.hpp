@@ -16,7 +16,7 @@ namespace signorini::test {
 class NewtonFlow {
  public:
   explicit NewtonFlow(const Problem& problem)
-      : n_(problem.size()), omega_(problem.frequency), e_(std::get<Restitution>(problem.law).e) {
+      : n_(problem.size()), omega_(problem.frequency), e_(std::get<Restitution>(problem.law()).e) {
     const Eigen::MatrixXd inverse = Eigen::MatrixXd(problem.mass()).inverse();
     Eigen::VectorXd load = Eigen::VectorXd::Zero(n_), constant = load;
     for (const ForceTerm& term : problem.force) (term.harmonic == 0 ? constant : load)[term.dof] += term.cos;

@@ -152,7 +152,7 @@ TEST(ExactOrbitSearch, MasslessContactsAreTheSpringStopsTheyCondenseTo) {
                       .sparseView();
   });
   problem.contacts = {{.normal = {{1, 1.0}}, .gap = 0.2}};
-  problem.law = Massless{};
+  problem.set_law(Massless{});
   const auto massless = cold_orbit(problem);
   ASSERT_TRUE(massless.orbit) << massless.solution.message;
   const auto bilinear = cold_orbit(test::penalty_oscillator(spring));

@@ -8,7 +8,7 @@
 namespace signorini::test {
 
 inline Problem scene_of(const Eigen::MatrixXd& M, const Eigen::MatrixXd& D, const Eigen::MatrixXd& K,
-                        double e, double frequency) {
+                        double frequency) {
   Problem problem;
   problem.name = "symmetric";
   problem.edit_structure([&](Structure& structure) {
@@ -17,7 +17,6 @@ inline Problem scene_of(const Eigen::MatrixXd& M, const Eigen::MatrixXd& D, cons
     structure.stiffness = K.sparseView();
   });
   problem.frequency = frequency;
-  problem.law = Restitution{e};
   return problem;
 }
 
@@ -32,10 +31,11 @@ inline Problem twins(const Twins& of) {
   Eigen::Matrix2d link;
   link << 1.0, -1.0, -1.0, 1.0;
   const Eigen::Matrix2d scale = Eigen::Vector2d(1.0, r).asDiagonal();
-  Problem problem = scene_of(scale, of.ground_damper * scale + of.damper * link, scale + of.spring * link,
-                             of.e, of.frequency);
+  Problem problem =
+      scene_of(scale, of.ground_damper * scale + of.damper * link, scale + of.spring * link, of.frequency);
   problem.force = {{.dof = 0, .cos = 1.0}, {.dof = 1, .cos = r}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = of.gap}, {.normal = {{1, 1.0}}, .gap = of.gap}};
+  problem.set_law(Restitution{of.e});
   return problem;
 }
 
@@ -49,10 +49,10 @@ inline Problem row_of_oscillators(int count, double spring, double damper, bool 
     link(i + 1, i) -= 1.0;
   }
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count, count);
-  Problem problem = scene_of(one, 0.1 * one + damper * link, one + spring * link, 0.8, 2.2);
+  Problem problem = scene_of(one, 0.1 * one + damper * link, one + spring * link, 2.2);
   for (int i = 0; i < count; ++i) {
     problem.force.push_back({.dof = i, .cos = 1.0});
-    problem.contacts.push_back({.normal = {{i, 1.0}}, .gap = 0.2});
+    problem.contacts.push_back({.normal = {{i, 1.0}}, .gap = 0.2, .law = Restitution{0.8}});
   }
   return problem;
 }
@@ -61,10 +61,11 @@ inline Problem row_of_oscillators(int count, double spring, double damper, bool 
 inline Problem bar(double inertia, double arm, double pitch_damping, double e, double frequency = 2.2) {
   Problem problem =
       scene_of(Eigen::Vector2d(1.0, inertia).asDiagonal(), Eigen::Vector2d(0.1, pitch_damping).asDiagonal(),
-               Eigen::Vector2d(1.0, 1.2 * inertia).asDiagonal(), e, frequency);
+               Eigen::Vector2d(1.0, 1.2 * inertia).asDiagonal(), frequency);
   problem.force = {{.dof = 0, .cos = 1.0}};
   problem.contacts = {{.normal = {{0, 1.0}, {1, arm}}, .gap = 0.2},
                       {.normal = {{0, 1.0}, {1, -arm}}, .gap = 0.2}};
+  problem.set_law(Restitution{e});
   return problem;
 }
 
@@ -76,9 +77,10 @@ inline Problem mirrored_chain(double e, double frequency, double link_damping) {
   D(0, 3) = D(3, 0) = -link_damping;
   D(0, 0) += link_damping;
   D(3, 3) += link_damping;
-  Problem problem = scene_of(Eigen::Vector4d(1.0, 0.7, 0.7, 1.0).asDiagonal(), D, K, e, frequency);
+  Problem problem = scene_of(Eigen::Vector4d(1.0, 0.7, 0.7, 1.0).asDiagonal(), D, K, frequency);
   problem.force = {{.dof = 0, .cos = 1.0}, {.dof = 3, .cos = 1.0}};
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.25}, {.normal = {{3, 1.0}}, .gap = 0.25}};
+  problem.set_law(Restitution{e});
   return problem;
 }
 

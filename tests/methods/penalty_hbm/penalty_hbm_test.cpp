@@ -20,7 +20,7 @@ const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2,
 
 TEST(PenaltyHbm, ItsForceIsTheSpringsOwn) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{80.0}};
+  problem.set_law(Penalty{{80.0}});
   const Solution solution = solve<PenaltyHbm>(problem, {{.harmonics = 12}});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   const Samples samples = solution.trajectory->sample(100);
@@ -63,15 +63,15 @@ TEST(PenaltyHbm, TakesThePenaltyAbsoluteOrRelative) {
 
 TEST(PenaltyHbm, AnotherPenaltyThanTheScenesIsAMismatchItDeclares) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{80.0}};
-  EXPECT_TRUE(law_matches(PenaltyHbm({}).law(problem), problem.law));
-  EXPECT_FALSE(law_matches(PenaltyHbm({.penalty = Scaled{100.0, false}}).law(problem), problem.law));
+  problem.set_law(Penalty{{80.0}});
+  EXPECT_TRUE(law_matches(PenaltyHbm({}).law(problem), problem.law()));
+  EXPECT_FALSE(law_matches(PenaltyHbm({.penalty = Scaled{100.0, false}}).law(problem), problem.law()));
 }
 
 TEST(PenaltyHbm, ContactDoesNoNetWork) {
   Problem problem = test::to_problem(kStop);
   for (const double stiffness : {10.0, 100.0, 1000.0}) {
-    problem.law = Penalty{{stiffness}};
+    problem.set_law(Penalty{{stiffness}});
     for (const int harmonics : {10, 20}) {
       const Solution solution =
           solve<PenaltyHbm>(problem, {{.harmonics = harmonics, .samples = 64 * harmonics}});

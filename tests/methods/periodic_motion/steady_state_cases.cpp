@@ -61,7 +61,7 @@ SteadyStateCase parse(const Json& json) {
     problem.contacts.push_back({.normal = {{contact.at("dof").get<int>(), contact.at("sign").get<double>()}},
                                 .gap = contact.at("gap").get<double>()});
   }
-  problem.law = Restitution{json.at("restitution").get<double>()};
+  problem.set_law(Restitution{json.at("restitution").get<double>()});
   for (const Json& event : json.at("events")) {
     result.events.push_back({.phase = event[0],
                              .contact = event[1],
@@ -124,7 +124,7 @@ SteadyStateDifference difference(const SteadyStateCase& expected, const Trajecto
   const int order = expected.order;
   constexpr int kPerPeriod = 20;  // rows of the data per forcing period
   const Samples samples = found.sample(kPerPeriod * order);
-  const double smallest = counted * (1.0 + std::get<Restitution>(expected.problem.law).e);
+  const double smallest = counted * (1.0 + std::get<Restitution>(expected.problem.law()).e);
   SteadyStateDifference best{.x = 1e300};
   for (int shift = 0; shift < order; ++shift) {
     SteadyStateDifference now;

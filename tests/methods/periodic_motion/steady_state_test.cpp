@@ -83,13 +83,13 @@ TEST_P(NotPeriodic, OneLightlyDampedMassNearGrazingOfOrderFortyTwo) {
 
 TEST_P(NotPeriodic, TwoMassesWithOneStop) {
   Problem problem = steady_state_case("chain", "chainA_w1.5_e0.9").problem;
-  problem.law = Restitution{0.5};
+  problem.set_law(Restitution{0.5});
   expect_not_periodic(problem, GetParam());
 }
 
 TEST_P(NotPeriodic, TwoMassesWithTwoStopsOfOrderEighteen) {
   Problem problem = steady_state_case("chain", "chainB_w2_e0.9").problem;
-  problem.law = Restitution{0.5};
+  problem.set_law(Restitution{0.5});
   expect_not_periodic(problem, GetParam());
 }
 
@@ -99,7 +99,7 @@ TEST(Marching, FindsOrderFourAndSixBetweenTwoSidedStops) {
   Problem problem = steady_state_case("chain", "chainA_w1.5_e0.9").problem;
   problem.contacts.push_back({.normal = {{1, -1.0}}, .gap = 0.5});
   for (const auto& [e, order] : {std::pair{0.5, 4}, std::pair{0.9, 6}}) {
-    problem.law = Restitution{e};
+    problem.set_law(Restitution{e});
     const Solution solution = solve(problem, {.tolerance = 1e-9});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     EXPECT_NEAR(solution.trajectory->period() * problem.frequency / (2.0 * std::numbers::pi), order, 1e-9);

@@ -36,7 +36,7 @@ TEST(KeptSpace, IsMadeOnceForAllGapsFrequenciesAndOrders) {
 TEST(KeptSpace, FollowsTheLawThereAndBack) {
   const Problem bar = test::massless_bar(kStiff, 60);
   Problem sprung = bar;
-  sprung.law = Penalty{{50.0}};
+  sprung.set_law(Penalty{{50.0}});
   KeptSpace kept;
   expect_same(*kept.of(bar), ContactSpace(bar), 1.2);
   expect_same(*kept.of(sprung), ContactSpace(sprung), 1.2);

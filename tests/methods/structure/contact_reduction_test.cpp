@@ -218,7 +218,7 @@ TEST(ReduceToContacts, SaysWhatItCannotReduce) {
   EXPECT_EQ(reduce_to_contacts(loose).obstacle, "the stiffness is not positive definite");
   Problem alone = problem;
   alone.contacts.clear();
-  alone.law = std::monostate{};
+  alone.set_law(std::monostate{});
   alone.force.clear();
   EXPECT_EQ(reduce_to_contacts(alone).obstacle, "nothing acts on the structure");
 }

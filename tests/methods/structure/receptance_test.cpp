@@ -103,7 +103,7 @@ Problem chain_problem(int masses) {
   problem.frequency = 1.3;
   problem.force = {{0, 1, 1.0, 0.5}, {masses - 1, 3, 0.0, 0.7}, {0, 0, 0.25, 0.0}};
   problem.contacts = {{{{masses - 1, 1.0}}, 0.1}, {{{0, 0.6}, {1, -0.8}}, 0.2}};
-  problem.law = Restitution{1.0};
+  problem.set_law(Restitution{1.0});
   validate(problem);
   return problem;
 }

@@ -101,7 +101,7 @@ TEST(StaticReceptance, KeepsTheMeanLoadThatContactsAreToBalance) {
 TEST(StaticReceptance, LeavesOutMotionsThatNoContactFeels) {
   Problem problem = of_matrices(Eigen::Matrix2d::Identity(), Eigen::Vector2d(1.0, 0.0).asDiagonal());
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.2}};
-  problem.law = Restitution{0.8};
+  problem.set_law(Restitution{0.8});
   problem.force = {{.dof = 0, .cos = 1.0}};
   problem.frequency = 2.2;
   const ContactReceptance receptance = fourier_receptance(problem, 1);
@@ -126,7 +126,7 @@ TEST(StaticReceptance, NamesTheDirectionAlongWhichNothingBalancesTheLoad) {
 TEST(StaticReceptance, ThrowsWhereAnIdlePartIsDriven) {
   Problem problem = of_matrices(Eigen::Matrix2d::Identity(), Eigen::Vector2d(1.0, 0.0).asDiagonal());
   problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.2}};
-  problem.law = Restitution{0.8};
+  problem.set_law(Restitution{0.8});
   problem.force = {{.dof = 1, .harmonic = 0, .cos = 3.0}};
   EXPECT_THROW(fourier_receptance(problem, 1), NoPeriodicMotion);
 }

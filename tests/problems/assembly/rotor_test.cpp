@@ -100,7 +100,7 @@ TEST(ParseScene, MakesARingOfContactsFromOneTable) {
   EXPECT_EQ(rotor.contacts[0].gap, 1.0);
   EXPECT_EQ(rotor.contacts[1].normal, (std::vector<std::pair<int, double>>{{0, 1.0}, {1, 0.0}}));
   EXPECT_EQ(rotor.contacts[6].gap, 0.3);
-  EXPECT_EQ(std::get<Penalty>(rotor.law).stiffness.size(), 7U);
+  EXPECT_EQ(std::get<Penalty>(rotor.law()).stiffness.size(), 7U);
 }
 
 }  // namespace

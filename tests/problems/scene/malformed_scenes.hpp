@@ -214,9 +214,8 @@ inline constexpr Malformed kMalformed[] = {
      "20: file = not TOML (must be valid TOML 1.0; Error while parsing value: could not determine value "
      "type; the minus sign is one of a text processor: write -)"},
     {"LawInAContact", kOscillator, 20, "gap = 0.2\nlaw = { restitution = 0.5 }",
-     "21: contact[0].law = {restitution = 0.5} (must stand in a table [law] of its own, one for all "
-     "contacts: "
-     "what follows a line [[contact]] belongs to that contact)"},
+     "21: contact[0].law = {restitution = 0.5} (must be left out: restitution, penalty, damper and massless "
+     "are keys of the contact itself, beside gap; a table [law] is the default of all contacts)"},
     {"TwoFrequencies", kOscillator, 11, "frequency = 1.0\nfrequency_hz = 0.2",
      "12: forcing.frequency_hz = 0.2 (must be absent: frequency is given)"},
     {"HarmonicNegative", kOscillator, 15, "harmonic = -1",
@@ -240,8 +239,10 @@ inline constexpr Malformed kMalformed[] = {
     {"NoGap", kOscillator, 20, "", "18: contact[0].gap = missing (must be a finite number [m])"},
     {"GapInfinite", kOscillator, 20, "gap = inf", "20: contact[0].gap = inf (must be a finite number [m])"},
     {"UnknownContactKey", kOscillator, 20, "gap = 0.2\nfriction = 0.3",
-     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, dofs, facets, face, patch, group, "
-     "direction, gap, gap_term, centre_term)"},
+     "21: contact[0].friction = 0.3 (unknown key; known: dof, normal, between, side, dofs, facets, face, "
+     "patch, "
+     "group, direction, gap, clearance, gap_term, centre_term, restitution, penalty, damper, damping, "
+     "massless)"},
     {"EmptyNormal", kChain, 11, "normal = []",
      "11: contact[0].normal = [] (must be a list of pairs [dof, coefficient])"},
     {"FlatNormal", kChain, 11, "normal = [2, 1.0]",
@@ -285,9 +286,9 @@ inline constexpr Malformed kMalformed[] = {
      "1: law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
      "carry mass)"},
     {"MixedMass", kChain, 12, "gap = 0.5\n[[contact]]\ndof = 0\ngap = 0.1\n[law]\nrestitution = 1",
-     "10: contact[0] = massless (beside contacts that carry mass only a penalty law will do: all or none "
-     "must carry "
-     "mass)"},
+     "10: contact[0] = massless (needs massless = true beside contacts that carry mass: no restitution is "
+     "for "
+     "it)"},
     {"PartlyMasslessNormal", kChain, 11,
      "normal = [[2, 1.0], [1, -1.0]]\ngap = 0.1\n[law]\nrestitution = 1\n[[contact]]\ndof = 0",
      "11: contact[0].normal = partly massless (under a restitution law every coordinate of a normal must "

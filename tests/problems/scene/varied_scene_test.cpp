@@ -22,7 +22,7 @@ TEST(VariedScene, HasTheNumberOfItsPlaceAndOthersAsTheyAre) {
 TEST(VariedScene, OfAFamilyHasItsLevel) {
   const std::string file = find_scene("restitution@0.5").file.string();
   const VariedScene gap({file, "0.5"}, "contact[0].gap");
-  EXPECT_EQ(std::get<Restitution>(gap.at(gap.value()).law).e, 0.5);
+  EXPECT_EQ(std::get<Restitution>(gap.at(gap.value()).law()).e, 0.5);
 }
 
 TEST(VariedScene, RefusesPlacesWithoutANumber) {
@@ -34,7 +34,7 @@ TEST(VariedScene, RefusesPlacesWithoutANumber) {
 TEST(VariedScene, ChecksWhatItIsAskedFor) {
   const VariedScene law(find_scene("sdof-stop"), "law.restitution");
   EXPECT_THROW(law.at(1.01), SceneError);
-  EXPECT_EQ(std::get<Restitution>(law.unchecked(1.01).law).e, 1.01);
+  EXPECT_EQ(std::get<Restitution>(law.unchecked(1.01).law()).e, 1.01);
 }
 
 }  // namespace

@@ -96,5 +96,15 @@ TEST(RepresentedLaws, MayBeThatOfTheSceneOrUndetermined) {
   EXPECT_TRUE(std::holds_alternative<Undetermined>(laws.on(Restitution{0.8}).value()));
 }
 
+TEST(RepresentedLaws, OfDifferentContactsAreAskedForAndEachRepresented) {
+  const Law mixed = MixedLaws{{Restitution{0.8}, Spring{3.0}}};
+  RepresentedLaws laws{.restitution = Restitution{0.5}, .penalty = true};
+  EXPECT_FALSE(laws.on(mixed).has_value());
+  laws.mixed = true;
+  EXPECT_EQ(std::get<MixedLaws>(laws.on(mixed).value()).laws,
+            (std::vector<ContactLaw>{Restitution{0.5}, Spring{3.0}}));
+  EXPECT_FALSE(laws.on(MixedLaws{{Restitution{0.8}, Massless{}}}).has_value());
+}
+
 }  // namespace
 }  // namespace signorini::command_file_test

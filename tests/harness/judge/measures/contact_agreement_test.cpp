@@ -34,7 +34,7 @@ Motion smooth(double begin, double end, double force, int bandwidth) {
 
 ContactDifference compared(const Motion& answer, const Motion& orbit) {
   Problem problem = test::one_mass();
-  problem.law = Massless{};  // these impulses go with no jumps of x'
+  problem.set_law(Massless{});  // these impulses go with no jumps of x'
   return contact_difference(problem, answer, orbit);
 }
 

@@ -93,7 +93,7 @@ TEST(MeasurePhysics, MeasuresAMassThatLiesOnAnotherByTheMotionOfThese) {
 TEST(MeasurePhysics, IsEmptyWithoutContacts) {
   Problem problem = test::one_mass();
   problem.contacts.clear();
-  problem.law = std::monostate{};
+  problem.set_law(std::monostate{});
   const Physics physics =
       measure_physics(problem, std::monostate{}, sampled(FormulaMotion(kPeriod, {}, {}, {}, {}, 1, 0)));
   EXPECT_FALSE(physics.penetration.has_value());
@@ -105,12 +105,12 @@ TEST(MeasurePhysics, IsEmptyWithoutContacts) {
 TEST(MeasurePhysics, JudgesASpringStopByTheSpring) {
   const double k = 30.0;
   Problem problem = test::one_mass(0.3);
-  problem.law = Penalty{{k}};
+  problem.set_law(Penalty{{k}});
   const auto x = [](double t) { return 0.1 + 0.4 * std::sin(2.0 * t); };
   const auto v = [](double t) { return 0.8 * std::cos(2.0 * t); };
   const FormulaMotion exact(kPeriod, x, v, [=](double t) { return -k * std::max(0.0, x(t) - 0.3); });
   EXPECT_NEAR(
-      measure_physics(problem, problem.law.index() == 0 ? RepresentedLaw{} : RepresentedLaw{Penalty{{k}}},
+      measure_physics(problem, problem.law().index() == 0 ? RepresentedLaw{} : RepresentedLaw{Penalty{{k}}},
                       sampled(exact))
           .complementarity.value(),
       0.0, 1e-14);
@@ -151,7 +151,7 @@ TEST(MeasureErrors, TakeTheImpulseOfTheWorstContact) {
 TEST(MeasureErrors, CompareTheWholeFieldWhereThereIsMoreThanTheContacts) {
   Problem problem = test::one_mass();
   problem.contacts.clear();
-  problem.law = std::monostate{};
+  problem.set_law(std::monostate{});
   const Motion nothing = sampled(FormulaMotion(kPeriod, {}, {}, {}, {}, 1, 0));
   const Errors errors = measure_errors(problem, nothing, nothing);
   EXPECT_FALSE(errors.x_l2.has_value());

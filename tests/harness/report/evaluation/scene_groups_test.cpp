@@ -28,6 +28,8 @@ TEST(KindOf, IsThatOfTheLawUnlessThereAreManyContactsOrCoordinates) {
   EXPECT_EQ(kind_of(case_scene_of(record)), SceneKind::many_contacts);
   record.coordinates = kLargeStructure;
   EXPECT_EQ(kind_of(case_scene_of(record)), SceneKind::large_structure);
+  record = with_law(record, MixedLaws{{Restitution{0.5}, Massless{}}});
+  EXPECT_EQ(kind_of(case_scene_of(record)), SceneKind::mixed_laws) << "whatever the structure";
 }
 
 TEST(KindOf, IsNoneWithoutContactOrLaw) {

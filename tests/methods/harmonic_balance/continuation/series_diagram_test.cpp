@@ -25,7 +25,7 @@ constexpr double kSpringDoubling = 2.2062846538, kSpringFold = 3.5167116923;
 
 Problem sprung(double stiffness) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{stiffness}};
+  problem.set_law(Penalty{{stiffness}});
   return problem;
 }
 
@@ -174,7 +174,7 @@ TEST(SeriesDiagram, PlainFormBreaksAndSaysWhere) {
 // other: their mean is not 0. The exact orbits' branch points are at 1.004957 and 1.579605.
 TEST(SeriesDiagram, FollowsTheBranchesThatCrossAtABranchPoint) {
   Problem problem = test::to_problem({.damping = 0.1, .frequency = 1.6, .gap = 0.5, .restitution = 1.0});
-  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.5});
+  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.5, .law = problem.contacts.front().law});
   CurveLimits limits;
   limits.max_order = 1;
   limits.phases = 64;
@@ -270,7 +270,7 @@ TEST(SeriesDiagram, MotionsOfTheScenesOwnOrderAreFollowed) {
 TEST(SeriesDiagram, RefusesASceneWithoutContactAndTooManyUnknowns) {
   Problem free = test::to_problem(kStop);
   free.contacts.clear();
-  free.law = std::monostate{};
+  free.set_law(std::monostate{});
   EXPECT_EQ(with_harmonics<FourierLipschitz>(5).follow(over_frequency(free, 1.0, 2.0), {}).unfinished,
             "the scene has no contact");
   const BranchDiagram large =

@@ -68,7 +68,7 @@ TEST(BranchPointOfSeries, WithoutContactIsTheLinearResponse) {
 TEST(BranchPointOfSeries, OfASpringPressedThroughoutIsOfTheStifferOscillator) {
   // A preload of 9 on a stop at -0.5 with stiffness 5 never opens under a load of 1.
   Problem problem = test::to_problem({.damping = 0.1, .gap = -0.5, .static_load = 9.0});
-  problem.law = Penalty{{5.0}};
+  problem.set_law(Penalty{{5.0}});
   const SeriesFamily family = test::family_of(problem, 4);
   SeriesCurve curve(family, 1);
   // lambda = -5 (x + 1/2) with x under P0 and under cos(omega t).

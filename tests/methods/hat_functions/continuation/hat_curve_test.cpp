@@ -23,7 +23,7 @@ constexpr double kGrazing = 2.448265181813, kSpringFold = 3.5167116923;
 
 Problem sprung(double stiffness) {
   Problem problem = test::to_problem(kStop);
-  problem.law = Penalty{{stiffness}};
+  problem.set_law(Penalty{{stiffness}});
   return problem;
 }
 
@@ -162,7 +162,7 @@ TEST(HatTracer, LimitsAreSaid) {
   EXPECT_EQ(late.unfinished, "the time is up");
   Problem free = test::to_problem(kStop);
   free.contacts.clear();
-  free.law = std::monostate{};
+  free.set_law(std::monostate{});
   EXPECT_EQ(with_samples(64).follow(over_frequency(free, 1.0, 2.0), {}).unfinished,
             "the scene has no contact");
 }

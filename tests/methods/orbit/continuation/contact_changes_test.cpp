@@ -61,7 +61,7 @@ TEST(PastChange, PassesTheTwoMassesOfNlvib) {
   });
   chain.force = {{.dof = 0, .harmonic = 1, .cos = 0.1}};
   chain.contacts = {{.normal = {{1, 1.0}}, .gap = 1.0}};
-  chain.law = Penalty{{100.0}};
+  chain.set_law(Penalty{{100.0}});
   constexpr double kPrinted = 2e-12;
   for (const auto& [from, to] : {std::pair(0.5, 2.5), std::pair(2.5, 0.5)}) {  // from either end
     const OrbitDiagram diagram = diagram_of(chain, from, to, {.max_order = 1});

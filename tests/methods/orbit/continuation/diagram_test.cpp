@@ -163,7 +163,7 @@ TEST(TraceDiagram, JoinsTheTwoHalvesOfABranch) {
 // A motion between two stops at equal distance reaches both at once, and strikes both beyond.
 TEST(TraceDiagram, FollowsImpactsOnBothStopsFromASymmetricGrazing) {
   Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8});
-  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.2});
+  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.2, .law = problem.contacts.front().law});
   const ParametrisedScene scene = over_frequency(problem, 1.5, 4.5);
   const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.5);
   const OrbitBranch* both = branch_of(diagram, 1, 2);

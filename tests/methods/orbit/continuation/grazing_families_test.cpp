@@ -157,7 +157,7 @@ TEST(ImpactPatterns, OfTwoTouchesKeepTheIndexToo) {
 TEST(GrazingResponse, OfTwoTouchesIsThatOfAMarch) {
   constexpr double kFrequency = 1.9, kDamping = 0.1;
   Problem problem = test::to_problem({.damping = kDamping, .frequency = kFrequency, .gap = 0.2});
-  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.2});
+  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = 0.2, .law = problem.contacts.front().law});
   OrbitFamily family(over_frequency(problem, 1.5, 3.0));
   const SequencedOrbit base = contact_free_orbit(family, kFrequency).value();
   const Eigen::MatrixXd C =

@@ -124,7 +124,7 @@ TEST(OneImpactOrbits, LeadToNonsmoothModes) {
   });
   chain.force.clear();
   chain.contacts = {{.normal = {{1, 1.0}}, .gap = 1.0}};
-  chain.law = Restitution{1.0};
+  chain.set_law(Restitution{1.0});
   OrbitFamily family(over_frequency(chain, 0.62, 1.15));
   ASSERT_FALSE(family.driven());
   std::vector<SequencedOrbit> seeds;

@@ -40,9 +40,9 @@ Problem watched_chain(std::mt19937& random, int number) {
   problem.contacts = {{.normal = {{masses - 1, 1.0}}, .gap = 0.1 + share(random)},
                       {.normal = {{0, number % 4 < 2 ? 1.0 : -1.0}}, .gap = 1e3}};
   if (number % 3 == 2)
-    problem.law = Penalty{.stiffness = {30.0, 30.0}};
+    problem.set_law(Penalty{.stiffness = {30.0, 30.0}});
   else
-    problem.law = Restitution{0.3 + 0.7 * share(random)};
+    problem.set_law(Restitution{0.3 + 0.7 * share(random)});
   return problem;
 }
 

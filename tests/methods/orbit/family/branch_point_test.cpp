@@ -100,7 +100,7 @@ TEST(BranchPoint, IsWhereTheClosedFormLosesItsSymmetry) {
        {Breaking{1.0, 1.0, 1.01}, Breaking{1.0, 1.57, 1.59}, Breaking{0.8, 1.52, 1.54}}) {
     const double exact = breaking_between(where.restitution, where.low, where.high);
     Problem problem = test::to_problem({.damping = kDamping, .gap = kGap, .restitution = where.restitution});
-    problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = kGap});
+    problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = kGap, .law = problem.contacts.front().law});
     OrbitFamily family(over_frequency(problem, 0.8, 2.0));
     const SymmetricImpacts seed(where.restitution, 1.2);
     const SequencedOrbit orbit = sequenced(family, seed.orbit(), 2.0 * seed.half(), 1.2, 1.2);

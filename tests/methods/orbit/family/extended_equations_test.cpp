@@ -48,7 +48,7 @@ TEST(ExtendedEquations, HaveTheirDerivativeInEveryParameter) {
   expect_derivative(frequency, cold(frequency, 0.7));
   OrbitFamily restitution({.parameter = "law.restitution", .from = 0.4, .to = 0.8, .at = [chain](double e) {
                              Problem changed = chain;
-                             changed.law = Restitution{e};
+                             changed.set_law(Restitution{e});
                              return changed;
                            }});
   const SequencedOrbit struck = cold(restitution, 0.6);

@@ -141,7 +141,7 @@ TEST(ClosingOrbit, OfContactsThatNeverCloseIsTheLinearMotion) {
 TEST(ClosingOrbit, OfSpringsIsThatOfAllContacts) {
   Problem block = test::padded_block_problem(
       {.elements = {12, 3, 3}, .patch = {{{0.9, 2.0}, {0.0, 0.1}}}, .damping = {.alpha = 0.02, .beta = 0.0}});
-  block.law = Penalty{.stiffness = std::vector<double>(block.contacts.size(), 2e-3)};
+  block.set_law(Penalty{.stiffness = std::vector<double>(block.contacts.size(), 2e-3)});
   const ContactSpace space(block);
   const CondensedStructure structure = condensed(space.small());
   ContactMarch march(space.small(), march_grid(block, 256));
