@@ -50,9 +50,9 @@ double shown_in(const Motion& answer) {
 
 double penetration_defect(const Problem& problem, const Motion& answer) {
   constexpr double kLate = 2.0;  // resolutions
-  const auto* spring = std::get_if<Penalty>(&problem.law);
   const double scale = std::max(amplitude(answer), answer.least);
-  if (!(scale > 0.0) || (spring != nullptr && !answer.impulses.empty())) return 0.0;
+  if (!(scale > 0.0) || (has_springs(problem) && !has_impacts(problem) && !answer.impulses.empty()))
+    return 0.0;
   const Eigen::VectorXd gaps = contact_gaps(problem);
   const double explained_steps = kLate * shown_in(answer) / answer.step();
   const Eigen::Index last = answer.samples.x.rows() - 1;
@@ -60,8 +60,8 @@ double penetration_defect(const Problem& problem, const Motion& answer) {
   for (Eigen::Index c = 0; c < gaps.size(); ++c) {
     const Eigen::ArrayXd x = answer.samples.x.col(c);
     Eigen::ArrayXd depth = x - gaps[c];
-    if (spring != nullptr)
-      depth += answer.samples.force.col(c).array() / spring->stiffness[static_cast<std::size_t>(c)];
+    if (const auto* spring = std::get_if<Spring>(&problem.contacts[static_cast<std::size_t>(c)].law))
+      depth += answer.samples.force.col(c).array() / spring->stiffness;
     const double step = last > 0 ? (x.tail(last) - x.head(last)).abs().maxCoeff() : 0.0;
     largest = std::max(largest, depth.maxCoeff() - explained_steps * step);
   }

@@ -134,7 +134,7 @@ Reference reference_from_json(const nlohmann::ordered_json& json) {
 
 Problem under_law(const Problem& problem, const RepresentedLaw& law) {
   Problem changed = problem;
-  changed.law = std::visit(LawSetter{problem.law}, law);
+  changed.set_law(std::visit(LawSetter{problem.law()}, law));
   return changed;
 }
 

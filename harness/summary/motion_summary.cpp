@@ -142,10 +142,11 @@ std::vector<PhaseSummary> listed_phases(const Motion& motion) {
 }
 
 void take_contact(const RepresentedLaw& law, const Motion& motion, MotionSummary& summary) {
-  const bool compliant = std::holds_alternative<Penalty>(law) || std::holds_alternative<Massless>(law);
+  const bool open = std::holds_alternative<Undetermined>(law);
   summary.contact_phases = listed_phases(motion);
   const auto listed = static_cast<std::ptrdiff_t>(summary.contact_phases.size());
   for (const ContactPhase& phase : contact_phases(motion)) {
+    const bool compliant = !open && !std::holds_alternative<Restitution>(law_of_contact(law, phase.contact));
     if (phase.listed || !(phase.lasting || compliant)) {
       summary.impacts.push_back({.contact = phase.contact,
                                  .time = std::fmod(0.5 * (phase.begin + phase.end), motion.period()),

@@ -175,7 +175,7 @@ std::string force_difference(const Motion& answer, const Motion& orbit, const To
 
 /// -x'_+ / x'_- of the strong impacts that a motion lists, their speeds weighted by the impulses and
 /// extrapolated from samples `offset` and twice as many steps away; empty where they do not approach.
-std::optional<double> listed_restitution(const Motion& motion, int offset) {
+std::optional<double> listed_restitution(const Motion& motion, int offset, std::optional<int> contact) {
   const int count = motion.count();
   const auto velocity = [&](const Impulse& impulse, int steps) {
     const double place = impulse.time / motion.step();
@@ -185,6 +185,7 @@ std::optional<double> listed_restitution(const Motion& motion, int offset) {
   double largest = 0.0, before = 0.0, after = 0.0;
   for (const Impulse& impulse : motion.impulses) largest = std::max(largest, std::abs(impulse.value));
   for (const Impulse& impulse : motion.impulses) {
+    if (contact && impulse.contact != *contact) continue;
     const double weight = std::abs(impulse.value);
     if (weight < kStrongPhase * largest) continue;
     before += weight * (2.0 * velocity(impulse, -offset) - velocity(impulse, -2 * offset));
@@ -195,14 +196,16 @@ std::optional<double> listed_restitution(const Motion& motion, int offset) {
 
 /// Whether the strong impacts of an answer show another coefficient of restitution than the law has, at every
 /// distance from them at which samples tell the speeds: near by those of few instants do not, far away those
-/// of stiff structures, and none where impacts follow each other too soon, as samples of the orbit show.
-std::string restitution_difference(const Motion& answer, const Motion& orbit, double restitution) {
+/// of stiff structures, and none where impacts follow each other too soon, as samples of the orbit show. Of one
+/// contact, or of all together.
+std::string restitution_difference(const Motion& answer, const Motion& orbit, double restitution,
+                                   std::optional<int> contact = {}) {
   constexpr std::array kOffsets{1, 4, 16, 64};  // steps
   std::optional<double> nearest;
   for (const int offset : kOffsets) {
-    const std::optional<double> exact = listed_restitution(orbit, offset);
+    const std::optional<double> exact = listed_restitution(orbit, offset, contact);
     if (!exact || std::abs(*exact - restitution) > 0.5 * kRestitution) continue;
-    const std::optional<double> found = listed_restitution(answer, offset);
+    const std::optional<double> found = listed_restitution(answer, offset, contact);
     if (found && (!nearest || std::abs(*found - restitution) < std::abs(*nearest - restitution)))
       nearest = found;
   }
@@ -241,7 +244,17 @@ ContactDifference contact_difference(const Problem& problem, const Motion& answe
   if (const std::string text = force_difference(answer, orbit, exact, apart.x_l2.value_or(0.0));
       !text.empty())
     return {.text = text};
-  const auto* restitution = std::get_if<Restitution>(&problem.law);
+  const Law scene_law = problem.law();
+  if (std::holds_alternative<MixedLaws>(scene_law)) {
+    for (int c = 0; c < static_cast<int>(contacts); ++c) {
+      const auto* own = std::get_if<Restitution>(&problem.contacts[static_cast<std::size_t>(c)].law);
+      if (own == nullptr) continue;
+      if (const std::string text = restitution_difference(answer, orbit, own->e, c); !text.empty())
+        return {.text = text};
+    }
+    return {};
+  }
+  const auto* restitution = std::get_if<Restitution>(&scene_law);
   return {.text =
               restitution == nullptr ? std::string() : restitution_difference(answer, orbit, restitution->e)};
 }

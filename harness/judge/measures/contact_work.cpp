@@ -24,16 +24,16 @@ double mean_speed(const SpeedsBeside& speeds, double restitution) {
 
 double contact_work(const Motion& motion, const RepresentedLaw& law, const Eigen::VectorXd& gaps) {
   Eigen::ArrayXXd force = motion.samples.force.array();
-  if (const auto* penalty = std::get_if<Penalty>(&law)) {
-    for (Eigen::Index c = 0; c < force.cols(); ++c)
-      force.col(c) += penalty->stiffness[static_cast<std::size_t>(c)] *
-                      (motion.samples.x.col(c).array() - gaps[c]).max(0.0);
+  for (Eigen::Index c = 0; c < force.cols(); ++c) {
+    const ContactLaw own = law_of_contact(law, static_cast<int>(c));
+    if (const auto* spring = std::get_if<Spring>(&own))
+      force.col(c) += spring->stiffness * (motion.samples.x.col(c).array() - gaps[c]).max(0.0);
   }
   double work = motion.step() * (force * motion.samples.velocity.array()).sum();
-  const auto* restitution = std::get_if<Restitution>(&law);
   const std::vector<SpeedsBeside> speeds = speeds_beside_impulses(motion);
   for (std::size_t i = 0; i < speeds.size(); ++i)
-    work += motion.impulses[i].value * mean_speed(speeds[i], restitution != nullptr ? restitution->e : 1.0);
+    work += motion.impulses[i].value *
+            mean_speed(speeds[i], restitution_of(law_of_contact(law, motion.impulses[i].contact)));
   return work;
 }
 

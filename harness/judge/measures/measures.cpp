@@ -117,22 +117,29 @@ double length_scale(const Problem& problem, const Motion& motion, const Eigen::V
   return std::max(moving, kLeast * (free->rowwise() - gaps.transpose()).cwiseAbs().maxCoeff());
 }
 
-Measure penetration(const Motion& motion, const Eigen::VectorXd& gaps, double scale) {
+/// Of contacts of different laws that of those that are no springs.
+Measure penetration(const Motion& motion, const Eigen::VectorXd& gaps, const RepresentedLaw& law,
+                    double scale) {
   if (scale == 0.0) return std::nullopt;
-  return std::max(0.0, (motion.samples.x.rowwise() - gaps.transpose()).maxCoeff()) / scale;
+  const bool mixed = std::holds_alternative<MixedLaws>(law);
+  double deepest = 0.0;
+  for (Eigen::Index c = 0; c < gaps.size(); ++c) {
+    if (mixed && std::holds_alternative<Spring>(law_of_contact(law, static_cast<int>(c)))) continue;
+    deepest = std::max(deepest, (motion.samples.x.col(c).array() - gaps[c]).maxCoeff());
+  }
+  return deepest / scale;
 }
 
 Measure complementarity(const Motion& motion, const Eigen::VectorXd& gaps, const RepresentedLaw& law,
                         const Eigen::VectorXd& stiffness, double scale) {
   if (scale == 0.0) return std::nullopt;
   const Eigen::ArrayXXd room = (-motion.samples.x.array()).rowwise() + gaps.transpose().array();
-  const auto* penalty = std::get_if<Penalty>(&law);
   double sum = 0.0;
   for (Eigen::Index c = 0; c < room.cols(); ++c) {
     const Eigen::ArrayXd force = motion.samples.force.col(c).array();
-    if (penalty != nullptr) {
-      const double k = penalty->stiffness[static_cast<std::size_t>(c)];
-      sum += (force / k + (-room.col(c)).max(0.0)).abs().mean();
+    const ContactLaw own = law_of_contact(law, static_cast<int>(c));
+    if (const auto* spring = std::get_if<Spring>(&own)) {
+      sum += (force / spring->stiffness + (-room.col(c)).max(0.0)).abs().mean();
     } else {
       sum += (-force / stiffness[c]).min(room.col(c)).abs().mean();
     }
@@ -222,6 +229,7 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
       missed = work - response.found->dissipation();
       if (!answer.bandwidth) missed -= dissipation_tail(problem, answer, kMeasuredHarmonics);
     }
+    if (std::holds_alternative<MixedLaws>(law)) return {.reason = "its contacts have different laws"};
     const auto* restitution = std::get_if<Restitution>(&law);
     if (restitution != nullptr && restitution->e < 1.0) {
       missed -= expected_loss(answer, restitution->e,
@@ -293,7 +301,7 @@ Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const
   if (problem.contacts.empty()) return physics;
   const Eigen::VectorXd gaps = contact_gaps(problem);
   const double scale = length_scale(problem, answer, gaps, response.found, space);
-  physics.penetration = penetration(answer, gaps, scale);
+  physics.penetration = penetration(answer, gaps, law, scale);
   physics.complementarity = complementarity(answer, gaps, law, contact_stiffness_scale(problem), scale);
   physics.contact_ratio = contact_ratio(answer);
   physics.effective_restitution = restitutions(answer);

@@ -160,8 +160,9 @@ std::string portrait_lines(const Waveform& waveform, std::size_t contact) {
 std::optional<double> stop_position(const Record& record, std::size_t place) {
   const Waveform& orbit = *record.waveforms->orbit;
   if (!(orbit.impulse[place].back() < 0.0)) return std::nullopt;
-  if (!record.law || !std::holds_alternative<Penalty>(*record.law)) return std::ranges::max(orbit.x[place]);
   const int contact = record.waveforms->contacts[place];
+  if (!record.law || !std::holds_alternative<Spring>(law_of_contact(*record.law, contact)))
+    return std::ranges::max(orbit.x[place]);
   for (const OrbitEvent& event : record.certificate.events)
     if (event.contact == contact && event.kind == ContactEvent::Kind::close)
       return between(orbit.t, orbit.x[place], std::fmod(event.time, orbit.t.back()));
