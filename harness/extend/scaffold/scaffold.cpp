@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <initializer_list>
 #include <system_error>
 
 #include "harness/failure.hpp"
@@ -37,6 +38,25 @@ Places places_of(const Spellings& spellings, const std::string& include, const s
           {"include", include},     {"plugin_include", plugin_include}, {"plugin_entry", plugin_entry}};
 }
 
+/// Names of files in a folder, and what each is filled in from.
+using Templates = std::initializer_list<std::pair<std::string, std::string_view>>;
+
+void add_files(Scaffold& scaffold, const fs::path& folder, const Templates& templates, const Places& places) {
+  for (const auto& [file, text] : templates)
+    scaffold.fresh.push_back({.path = folder / file, .text = filled(text, places)});
+}
+
+/// A method in a new folder of its own, beside no tree.
+Scaffold method_in_folder(std::string_view name, const fs::path& folder, const Templates& templates,
+                          const Places& places) {
+  require_no_such_method(name);
+  require_nothing_at(name, folder);
+  Scaffold scaffold;
+  add_files(scaffold, folder, templates, places);
+  scaffold.next = {fmt::format("see {}", (folder / "README.md").string())};
+  return scaffold;
+}
+
 /// Makes a folder and those above it that are missing; `made` gets those that were.
 void make_folders(const fs::path& folder, std::vector<fs::path>& made) {
   if (folder.empty() || fs::exists(folder)) return;
@@ -63,13 +83,16 @@ Scaffold method_in_tree(std::string_view name, const fs::path& tree) {
                                   spellings.type));
   const Places places = places_of(spellings, fmt::format("methods/{0}/{0}.hpp", spellings.folder), "", "");
   Scaffold scaffold;
-  for (const auto& [file, text] : {std::pair{folder / (spellings.folder + ".hpp"), kMethodHeaderTemplate},
-                                   std::pair{folder / (spellings.folder + ".cpp"), kMethodSourceTemplate},
-                                   std::pair{folder / "CMakeLists.txt", kMethodBuildTemplate},
-                                   std::pair{folder / "README.md", kMethodPageTemplate},
-                                   std::pair{tests / (spellings.folder + "_test.cpp"), kMethodTestTemplate},
-                                   std::pair{tests / "CMakeLists.txt", kMethodTestBuildTemplate}})
-    scaffold.fresh.push_back({.path = file, .text = filled(text, places)});
+  add_files(scaffold, folder,
+            {{spellings.folder + ".hpp", kMethodHeaderTemplate},
+             {spellings.folder + ".cpp", kMethodSourceTemplate},
+             {"CMakeLists.txt", kMethodBuildTemplate},
+             {"README.md", kMethodPageTemplate}},
+            places);
+  add_files(
+      scaffold, tests,
+      {{spellings.folder + "_test.cpp", kMethodTestTemplate}, {"CMakeLists.txt", kMethodTestBuildTemplate}},
+      places);
   scaffold.changed.push_back(
       {.path = catalogue, .text = with_entry(read_file(catalogue), spellings.folder, spellings.type)});
   scaffold.next = {
@@ -81,35 +104,23 @@ Scaffold method_in_tree(std::string_view name, const fs::path& tree) {
 
 Scaffold method_out_of_tree(std::string_view name, const fs::path& parent) {
   const Spellings spellings = spellings_of(name);
-  require_no_such_method(name);
-  const fs::path folder = parent / spellings.name;
-  require_nothing_at(name, folder);
-  const Places places =
+  return method_in_folder(
+      name, parent / spellings.name,
+      {{spellings.folder + ".hpp", kMethodHeaderTemplate},
+       {spellings.folder + ".cpp", kMethodSourceTemplate},
+       {"CMakeLists.txt", kPluginBuildTemplate},
+       {"README.md", kPluginPageTemplate}},
       places_of(spellings, spellings.folder + ".hpp", "#include \"methods/plugin/plugin.hpp\"\n",
-                fmt::format("\nSIGNORINI_PLUGIN(signorini::{})\n", spellings.type));
-  Scaffold scaffold;
-  for (const auto& [file, text] : {std::pair{spellings.folder + ".hpp", kMethodHeaderTemplate},
-                                   std::pair{spellings.folder + ".cpp", kMethodSourceTemplate},
-                                   std::pair{std::string("CMakeLists.txt"), kPluginBuildTemplate},
-                                   std::pair{std::string("README.md"), kPluginPageTemplate}})
-    scaffold.fresh.push_back({.path = folder / file, .text = filled(text, places)});
-  scaffold.next = {fmt::format("see {}", (folder / "README.md").string())};
-  return scaffold;
+                fmt::format("\nSIGNORINI_PLUGIN(signorini::{})\n", spellings.type)));
 }
 
 Scaffold method_in_python(std::string_view name, const fs::path& parent) {
   const Spellings spellings = spellings_of(name);
-  require_no_such_method(name);
-  const fs::path folder = parent / spellings.name;
-  require_nothing_at(name, folder);
-  const Places places{{"name", spellings.name}, {"folder", spellings.folder}};
-  Scaffold scaffold;
-  for (const auto& [file, text] : {std::pair{spellings.folder + ".py", kPythonMethodTemplate},
-                                   std::pair{spellings.name + ".toml", kPythonDescriptionTemplate},
-                                   std::pair{std::string("README.md"), kPythonPageTemplate}})
-    scaffold.fresh.push_back({.path = folder / file, .text = filled(text, places)});
-  scaffold.next = {fmt::format("see {}", (folder / "README.md").string())};
-  return scaffold;
+  return method_in_folder(name, parent / spellings.name,
+                          {{spellings.folder + ".py", kPythonMethodTemplate},
+                           {spellings.name + ".toml", kPythonDescriptionTemplate},
+                           {"README.md", kPythonPageTemplate}},
+                          {{"name", spellings.name}, {"folder", spellings.folder}});
 }
 
 Scaffold scene_in_tree(std::string_view name, const fs::path& tree) {
