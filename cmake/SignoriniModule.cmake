@@ -30,7 +30,7 @@ if(SIGNORINI_SANITIZE)
 endif()
 
 # The headers that most files include, parsed once: a quarter of the time of a build. Tests add GoogleTest's. Off
-# for lint, whose clang cannot read them. With the preset release five to eight files at a time are compiled as one
+# for lint, whose clang cannot read them. With the preset release eight to ten files at a time are compiled as one
 # (CMAKE_UNITY_BUILD), which makes a fresh build half as long; of tests too, each in a namespace with its name. With lint
 # units are larger (docs/decisions/0025): clang-tidy walks through the headers of each.
 set(common_headers <Eigen/Dense> <Eigen/SparseCore> <algorithm> <cmath> <complex> <functional>
