@@ -51,6 +51,25 @@ std::optional<int> order_when_marched_on(PeriodMap& map, const FixedPoint& orbit
   return std::nullopt;
 }
 
+std::string success(int order, long marched) {
+  return fmt::format("periodic with order {} after {} periods", order, marched);
+}
+
+// A state beside an unstable orbit near `state`, along the direction that grows fastest. A march on such an
+// orbit, of a symmetric scene from a symmetric start say, does not leave it where rounding keeps the
+// symmetry.
+std::optional<Eigen::VectorXd> beside_unstable(const FixedPoint& orbit, const Eigen::VectorXd& fixed,
+                                               const Eigen::VectorXd& state) {
+  constexpr double kNear = 1e-3, kPush = 1e-6;
+  if (!(largest_magnitude(orbit.multipliers) > 1.0)) return std::nullopt;
+  if (!((state - fixed).lpNorm<Eigen::Infinity>() <= kNear)) return std::nullopt;
+  const GeneralEigen modes = general_eigen(orbit.monodromy);
+  if (!modes.converged) return std::nullopt;
+  Eigen::Index fastest = 0;
+  modes.values.cwiseAbs().maxCoeff(&fastest);
+  return fixed + kPush * modes.vectors.col(fastest).real().normalized();
+}
+
 // Marching with its memory of the last states, newest last.
 class March {
  public:
@@ -171,10 +190,6 @@ class March {
     return turns == kTurns;
   }
 
-  [[nodiscard]] std::string success(int order) const {
-    return fmt::format("periodic with order {} after {} periods", order, marched_);
-  }
-
   // Newton's method from the present state, for the orders at which it nearly repeats.
   std::optional<FixedPoint> propose() {
     constexpr int kTries = 3;
@@ -198,28 +213,20 @@ class March {
       if (*smallest < order) orbit = find_fixed_point(map_, orbit.start, *smallest, newton, expired_);
       if (!orbit.converged) continue;
       orbit.iterations = map_.periods();
-      orbit.message = fmt::format("{}, {}", success(*smallest), orbit.describe_multipliers());
+      orbit.message = fmt::format("{}, {}", success(*smallest, marched_), orbit.describe_multipliers());
       return orbit;
     }
     return std::nullopt;
   }
 
-  // A march on an unstable orbit, as of a symmetric scene from a symmetric start, does not leave it by
-  // itself where rounding keeps the symmetry: after long it is pushed along the direction that grows.
+  // Whether the march stays on an unstable orbit after long: it is then pushed off.
   bool leaves(const FixedPoint& orbit) {
     constexpr long kPatience = 1000;  // periods
-    constexpr int kMostPushes = 3;
-    constexpr double kNear = 1e-3, kPush = 1e-6;
-    if (marched_ < kPatience || pushes_ >= kMostPushes || !(largest_magnitude(orbit.multipliers) > 1.0)) return false;
-    const Eigen::VectorXd fixed = map_.scaled(orbit.start.state);
-    if (!((past_.back() - fixed).lpNorm<Eigen::Infinity>() <= kNear)) return false;
-    const GeneralEigen modes = general_eigen(orbit.monodromy);
-    if (!modes.converged) return false;
-    Eigen::Index fastest = 0;
-    modes.values.cwiseAbs().maxCoeff(&fastest);
-    const Eigen::VectorXd direction = modes.vectors.col(fastest).real();
-    state_ = map_.flow().place(state_.time, map_.unscaled(fixed + kPush * direction.normalized()));
-    ++pushes_;
+    if (marched_ < kPatience) return false;
+    const std::optional<Eigen::VectorXd> beside =
+        beside_unstable(orbit, map_.scaled(orbit.start.state), past_.back());
+    if (!beside) return false;
+    state_ = map_.flow().place(state_.time, map_.unscaled(*beside));
     past_.clear();
     remember();
     return true;
@@ -229,7 +236,7 @@ class March {
     for (int order = 1; order <= options_.max_order; ++order) {
       if (repeats_by_itself(order)) {
         return FixedPoint{.converged = true,
-                          .message = success(order),
+                          .message = success(order, marched_),
                           .start = state_,
                           .order = order,
                           .residual = repeat(order),
@@ -263,7 +270,6 @@ class March {
   std::deque<std::vector<ContactEvent>> recent_events_;  // events of each period
   long marched_ = 0;
   int moves_ = 0;
-  int pushes_ = 0;
 };
 
 }  // namespace
