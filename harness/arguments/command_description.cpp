@@ -133,7 +133,9 @@ std::string roff_command(const Page& page) {
 
 /// What the words without a dash after a command are, for `signorini list`.
 std::string_view names_after(const std::string& command) {
-  if (command == "solve" || command == "sweep" || command == "orbits" || command == "motion" || command == "reduce") return "scenes";
+  if (command == "solve" || command == "sweep" || command == "orbits" || command == "motion" ||
+      command == "reduce")
+    return "scenes";
   if (command == "show") return "scenes methods";
   if (command == "check") return "methods";
   return command == "run" ? "suites" : "";

@@ -196,8 +196,8 @@ std::optional<double> listed_restitution(const Motion& motion, int offset, std::
 
 /// Whether the strong impacts of an answer show another coefficient of restitution than the law has, at every
 /// distance from them at which samples tell the speeds: near by those of few instants do not, far away those
-/// of stiff structures, and none where impacts follow each other too soon, as samples of the orbit show. Of one
-/// contact, or of all together.
+/// of stiff structures, and none where impacts follow each other too soon, as samples of the orbit show. Of
+/// one contact, or of all together.
 std::string restitution_difference(const Motion& answer, const Motion& orbit, double restitution,
                                    std::optional<int> contact = {}) {
   constexpr std::array kOffsets{1, 4, 16, 64};  // steps
