@@ -12,8 +12,8 @@ namespace signorini {
 /// A coordinate whose diagonal of K is more than 1e12 times the median of those above 0, of rows that no
 /// single link carries, or where links carry all the least.
 struct PenaltySpring {
-  int coordinate = 0;
-  int tied_to = -1;  ///< the other coordinate whose coupling exceeds 1e-10 of the diagonal; -1: the ground
+  int coordinate = 0;  ///< i
+  int tied_to = -1;    ///< the other coordinate whose coupling exceeds 1e-10 of the diagonal; -1: the ground
   double stiffness = 0.0;  ///< K_ii [N/m]
   double usual = 0.0;      ///< the median [N/m]
 };

@@ -260,7 +260,10 @@ TEST(Validate, RefusesMagnitudesWhoseSquaresLeaveTheRangeOfDoubles) {
 }
 
 std::string complaint_with_stops(const std::vector<Contact>& stops) {
-  return complaint_after([&](Problem& p) { p.contacts = stops; });
+  return complaint_after([&](Problem& p) {
+    p.contacts = stops;
+    p.set_law(Restitution{0.5});
+  });
 }
 
 TEST(Validate, RefusesRigidStopsThatLeaveNoRoom) {

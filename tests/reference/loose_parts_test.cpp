@@ -108,7 +108,7 @@ TEST(LooseParts, ABallBouncesOnASpringWithThePeriodOfTheClosedForm) {
   ball.frequency = 31.0;
   ball.force = {{.dof = 0, .harmonic = 0, .cos = kMass * kAcceleration}};
   ball.contacts = {{.normal = {{0, 1.0}}, .gap = 0.0}};
-  ball.law = Penalty{.stiffness = {kSpring}};
+  ball.set_law(Penalty{.stiffness = {kSpring}});
   const double w = std::sqrt(kSpring / kMass), sag = kAcceleration / (w * w);
   const double speed = std::sqrt(2.0 * kAcceleration * kDrop), amplitude = std::hypot(sag, speed / w);
   const double pressed = 2.0 / w * (std::numbers::pi - std::atan2(speed / w, sag));
@@ -146,7 +146,7 @@ TEST(SymmetricBar, IsMarchedToTheMotionThatPitchLeavesAlone) {
   bar.force = {{.dof = 0, .cos = 1.0}};
   bar.contacts = {{.normal = {{0, 1.0}, {1, 0.4}}, .gap = 0.2},
                   {.normal = {{0, 1.0}, {1, -0.4}}, .gap = 0.2}};
-  bar.law = Penalty{.stiffness = {100.0, 100.0}};
+  bar.set_law(Penalty{.stiffness = {100.0, 100.0}});
   const Solution marched = test::solve<EventDriven>(bar, {.flow = Integrator::modal});
   const Solution exact = test::solve<ExactOrbitMethod>(bar, {});
   ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;

@@ -77,6 +77,7 @@ TEST(MotionNote, TellsFrequencyOrderAndLaw) {
   Problem problem;
   problem.frequency = 2.2;
   problem.subharmonic = 3;
+  problem.contacts.resize(2);
   problem.set_law(Restitution{0.8});
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, e = 0.8");
   problem.set_law(Penalty{{100.0, 1e5}});

@@ -166,7 +166,7 @@ TEST(ExactOrbitMethod, TellsAMotionThatTouchesNothingAsOneOfAFamily) {
     floating.force = {{.dof = 0, .cos = 0.5}};
     floating.contacts = {{.normal = {{0, 1.0}}, .gap = 0.3}, {.normal = {{0, -1.0}}, .gap = 0.25}};
     for (const Law& law : {Law{Restitution{0.0}}, Law{Penalty{.stiffness = {50.0, 50.0}}}}) {
-      floating.law = law;
+      floating.set_law(law);
       const Solution solution = test::solve<ExactOrbitMethod>(floating, {});
       ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
       EXPECT_NE(solution.message.find("one of a family of free motions"), std::string::npos)

@@ -308,9 +308,9 @@ inline constexpr Malformed kMalformedStructures[] = {
     {"RingWithoutGap", kRotor, 13, "", "10: contact[0].gap = missing (must be a finite number [m])"},
     {"RingWithTooFewPenalties", kRotor, 15, "penalty = [1.0]",
      "15: law.penalty = 1 values (must be one number, or one per contact: 5)"},
-    {"MasslessContactAfterARing", kChain, 11, "dofs = [0, 1]\nfacets = 4\ngap = 0.1\n[[contact]]\ndof = 2",
-     "14: contact[1] = massless (beside contacts that carry mass only a penalty law will do: all or none "
-     "must "
+    {"RingWithoutALawBesideAMasslessContact", kChain, 11,
+     "dofs = [0, 1]\nfacets = 4\ngap = 0.1\n[[contact]]\ndof = 2",
+     "1: law.restitution = missing (required, in 0..1, unless a penalty is given: the contact coordinates "
      "carry mass)"},
 };
 
