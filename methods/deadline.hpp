@@ -65,11 +65,11 @@ class Deadline {
     const auto seconds = [](const timeval& time) {
       return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
-    return inherited_ + static_cast<double>(std::clock()) / CLOCKS_PER_SEC + seconds(children.ru_utime) +
+    return inherited + static_cast<double>(std::clock()) / CLOCKS_PER_SEC + seconds(children.ru_utime) +
            seconds(children.ru_stime);
   }
   /// In a child, whose clock begins anew. \param processor  `processor_now` of the parent before it [s]
-  static void go_on_from(double processor) { inherited_ = processor; }
+  static void go_on_from(double processor) { inherited = processor; }
 
  private:
   static Clock::time_point instant_after(double seconds) {
@@ -81,7 +81,7 @@ class Deadline {
   Clock::time_point earliest_ = Clock::time_point::max();  // it passes at neither clock before that
   Clock::time_point latest_ = Clock::time_point::max();
   double processor_ = std::numeric_limits<double>::infinity();  // `processor_now` [s]
-  inline static double inherited_ = 0.0;                        // of the parents [s]
+  inline static double inherited = 0.0;                         // of the parents [s]
 };
 
 }  // namespace signorini

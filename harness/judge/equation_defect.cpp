@@ -30,7 +30,13 @@ double motion_defect(const Problem& problem, const Motion& answer, const Contact
     const ContactResponse response(problem, force_series(problem, answer, kMeasuredHarmonics), space);
     const Eigen::MatrixXd r = response.displacement(answer.count());
     const Eigen::MatrixXd free = response.free_displacement(answer.count());
-    const double off = root_mean_square(answer.samples.x - r);
+    Eigen::MatrixXd difference = answer.samples.x - r;
+    if (response.mean_is_free()) {
+      const Eigen::VectorXd mean = difference.colwise().mean().transpose();
+      difference.rowwise() -=
+          (contact_directions(problem).transpose() * rigid_offset(problem, mean)).transpose();
+    }
+    const double off = root_mean_square(difference);
     const double explained = kForceError * (root_mean_square(r - free) + fluctuating(free));
     return std::max(0.0, off - explained) / size;
   } catch (const std::bad_alloc&) {

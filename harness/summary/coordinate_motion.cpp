@@ -63,7 +63,15 @@ CoordinateMotion::CoordinateMotion(const Problem& problem, const Trajectory& ans
     series.lambda = lambda;
     series.lambda.conservativeResize(Eigen::NoChange, lambda.cols() + count);
     series.lambda.rightCols(count).setZero();
-    return ContactResponse(watched, series).coefficients().rightCols(count);
+    const ContactResponse whole(watched, series);
+    Eigen::MatrixXcd u = whole.coefficients().rightCols(count);
+    if (whole.mean_is_free()) {  // what it is follows from the contacts
+      const Eigen::VectorXd means = motion.samples.x.colwise().mean().transpose();
+      const Eigen::VectorXd held = whole.coefficients().row(0).leftCols(means.size()).real().transpose();
+      const Eigen::VectorXd offset = rigid_offset(problem, means - held);
+      for (Eigen::Index i = 0; i < count; ++i) u(0, i) += offset[dofs[static_cast<std::size_t>(i)]];
+    }
+    return u;
   };
   if (motion.bandwidth) {
     u_ = response(series.lambda);

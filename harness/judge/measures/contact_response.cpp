@@ -11,6 +11,7 @@
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/receptance.hpp"
 #include "methods/structure/rigid_motions.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/sparse_cholesky.hpp"
 
@@ -203,6 +204,15 @@ double ContactResponse::largest_work_of_load() const {
 Eigen::VectorXd ContactResponse::contact_work() const { return work(lambda_, x_); }
 
 double ContactResponse::dissipation() const { return dissipation_; }
+
+Eigen::VectorXd rigid_offset(const Problem& problem, const Eigen::VectorXd& x) {
+  const Eigen::MatrixXd motions = rigid_motions(problem);
+  const Eigen::MatrixXd at_contacts = contact_directions(problem).transpose() * motions;
+  if (motions.cols() == 0) return Eigen::VectorXd::Zero(problem.size());
+  if (x.size() == 0 || PivotedQr(at_contacts).rank() < motions.cols())
+    throw std::runtime_error("the mean of a part that neither springs nor contacts reach is open");
+  return motions * full_rank_least_squares(at_contacts, x);
+}
 
 Eigen::MatrixXd velocity_jumps(const Problem& problem) {
   const SparseMatrix inertia = inertia_of_impulses(problem);

@@ -70,6 +70,11 @@ class ContactResponse {
   double dissipation_ = 0.0;
 };
 
+/// The rigid motion R a, Nd [m], whose displacement W^T R a at the contacts is nearest to x, Nc [m]: what a
+/// mean that ContactResponse leaves open is found to be; 0 where there is none. \throws std::runtime_error
+/// where a part that no contact reaches leaves it open
+Eigen::VectorXd rigid_offset(const Problem& problem, const Eigen::VectorXd& x);
+
 /// M^-1 W, Nd x Nc: the jump of velocity that a unit impulse at each contact makes [1/kg].
 /// \throws std::invalid_argument where M is singular
 Eigen::MatrixXd velocity_jumps(const Problem& problem);

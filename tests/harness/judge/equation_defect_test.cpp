@@ -9,6 +9,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 
 namespace signorini::equation_defect_test {
 namespace {
@@ -37,6 +38,17 @@ TEST(EquationDefect, IsSmallOfRightAnswersHoweverCoarse) {
     EXPECT_LE(defect.motion, 0.1) << samples;
     EXPECT_LE(defect.penetration, 0.01) << samples;
   }
+}
+
+// The load and the contact force leave the mean of a part open that no spring holds: it is the answer's own.
+TEST(EquationDefect, TakesTheMeanOfALoosePartFromTheAnswer) {
+  const Problem gear = test::gear_backlash();
+  const auto answer = test::solve<HatLcp>(gear, {.samples = 256}).trajectory;
+  EXPECT_LE(defect_of(gear, *answer).motion, 0.01);
+  Problem driven = gear;
+  driven.force[1].cos *= 3.0;
+  const auto other = test::solve<HatLcp>(driven, {.samples = 256}).trajectory;
+  EXPECT_GE(defect_of(gear, *other).motion, 0.2) << "the motion under another load";
 }
 
 TEST(EquationDefect, IsThatOfTheLoadWhereAnAnswerStandsStill) {

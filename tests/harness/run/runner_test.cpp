@@ -212,7 +212,7 @@ TEST(Runner, RecordsTimesInReleaseBuildsOnly) {
   EXPECT_EQ(record.seconds.has_value(), build_may_be_timed());
   EXPECT_EQ(record.not_timed.empty(), build_may_be_timed());
   if (!record.seconds) return;
-  EXPECT_EQ(record.seconds->repetitions, 2);
+  EXPECT_GE(record.seconds->repetitions, 2);  // more where they differ, as on a busy machine
   EXPECT_GT(record.seconds->min, 0.0);
   EXPECT_LE(record.seconds->min, record.seconds->median);
 }

@@ -9,9 +9,12 @@
 #include <cmath>
 #include <complex>
 
+#include "methods/hat_lcp/hat_lcp.hpp"
 #include "problems/moving_frame.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 
 namespace signorini::coordinate_motion_test {
 namespace {
@@ -44,6 +47,15 @@ TEST(CoordinateMotion, OfASceneWithAMovingStopIsToldAtRest) {
   EXPECT_LT((found.displacement(kCoordinateInstants) - expected.displacement(kCoordinateInstants)).norm(),
             1e-11);
   EXPECT_LT((found.velocity(kCoordinateInstants) - expected.velocity(kCoordinateInstants)).norm(), 1e-10);
+}
+
+// The mean of a part that no spring holds follows from its contacts. Samples alone tell the motion here.
+TEST(CoordinateMotion, OfALoosePartHasTheMeanOfItsContact) {
+  const Problem gear = test::gear_backlash();
+  const auto answer = test::solve<HatLcp>(gear, {.samples = 512}).trajectory;
+  const Eigen::VectorXd u = first_coordinate(gear, *answer).displacement(kCoordinateInstants).col(0);
+  EXPECT_NEAR(u.minCoeff(), 0.8392488693, 1e-5);
+  EXPECT_NEAR(u.maxCoeff(), 1.2975814541, 1e-5);
 }
 
 TEST(CoordinateMotion, OfTheImpactOscillatorIsTheClosedFormThroughTheImpact) {
