@@ -286,8 +286,11 @@ std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& traje
                                       const Expired& expired) {
   auto events = trajectory.events();
   if (!events || events->size() > kMostEvents) return std::nullopt;
+  const std::vector<bool> pushing = pushing_throughout(trajectory);
+  // Where nothing touches, events do not tell the mean of a part that no spring holds.
+  if (events->empty() && std::ranges::find(pushing, true) == pushing.end()) return std::nullopt;
   const double section = quiet_instant(pushes_of(*events, model.period), model.period);
-  return listed_sequence(model, std::move(*events), section, pushing_throughout(trajectory), expired);
+  return listed_sequence(model, std::move(*events), section, pushing, expired);
 }
 
 std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajectory) {

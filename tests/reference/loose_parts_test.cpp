@@ -16,6 +16,7 @@
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/flow/flow.hpp"
+#include "methods/orbit/exact_orbit.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/support/accuracy.hpp"
 
@@ -153,6 +154,22 @@ TEST(SymmetricBar, IsMarchedToTheMotionThatPitchLeavesAlone) {
   ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
   EXPECT_LT(test::relative_distance(*marched.trajectory, *exact.trajectory), 1e-6);
   expect_range(marched, 0, -0.490592, 0.218895, 2e-6);  // an independent flow
+}
+
+// The events of such a motion are none, and tell nothing of its mean: the state does.
+TEST(LooseParts, AMotionThatTouchesNothingLeadsToItself) {
+  Problem floating = test::loose_mass(1.0, 0.3);
+  floating.frequency = 1.68882;
+  floating.force = {{.dof = 0, .cos = 0.1368}};
+  floating.contacts = {{.normal = {{0, 1.0}}, .gap = 0.3161}, {.normal = {{0, -1.0}}, .gap = 0.2305}};
+  floating.set_law(Restitution{0.9});
+  const Solution marched = test::solve<EventDriven>(floating, {.flow = Integrator::modal});
+  ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
+  SearchOptions options;
+  options.free_families = FreeFamilies::first;
+  const OrbitSearch search = OrbitFinder(floating).find(*marched.trajectory, options);
+  ASSERT_TRUE(search.orbit.certified()) << search.orbit.reason;
+  EXPECT_LT(test::relative_distance(*marched.trajectory, *search.orbit.trajectory), 1e-6);
 }
 
 }  // namespace
