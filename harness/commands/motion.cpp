@@ -32,6 +32,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kMostRandomStarts = 10000;
+constexpr double kPlacing = 1e-10;  // within which a state touches a stop, over the scales of the motion [-]
 
 struct MotionArguments {
   std::string scene;
@@ -244,10 +245,10 @@ void write_waveform(const std::string& file, const Trajectory& motion, int perio
   write_whole(file, to_csv(table));
 }
 
-void write_files(const MotionArguments& arguments, const Problem& problem, EventFlow& flow,
+void write_files(const MotionArguments& arguments, const Problem& problem, const ContactDynamics& dynamics,
                  const Outcome& first) {
   if (arguments.plot.empty() && arguments.waveform.empty()) return;
-  const auto motion = first_periods(flow, first.from, arguments.first);
+  const auto motion = first_periods(dynamics, first.from, arguments.first);
   if (!arguments.waveform.empty()) write_waveform(arguments.waveform, *motion, arguments.first);
   if (!arguments.plot.empty())
     write_plot(arguments.plot, section_plot(problem, first.motion, *motion, arguments.column));
@@ -262,19 +263,16 @@ int tell_motion(const MotionArguments& arguments) {
   watch_interrupts();
   const Deadline deadline = Deadline::after(arguments.timeout);
   const ContactDynamics dynamics(problem);
-  EventFlow flow(
-      dynamics, 1e-10, [&] { return deadline.passed() || interrupted(); }, Integrator::modal);
-  const std::vector<NamedState> starts = starts_of(arguments, flow, problem);
+  const EventFlow placing(dynamics, kPlacing, {}, Integrator::modal);
+  const std::vector<NamedState> starts = starts_of(arguments, placing, problem);
   std::vector<Outcome> outcomes;
   {
     const Waiting waiting("following " + problem.name);
     for (std::size_t i = 0; i < starts.size() && !interrupted(); ++i) {
       const double share = deadline.left() / static_cast<double>(starts.size() - i);
       const Deadline own = Deadline::after(std::max(0.0, share));
-      EventFlow own_flow(
-          dynamics, 1e-10, [&] { return own.passed() || interrupted(); }, Integrator::modal);
       outcomes.push_back({starts[i].name, starts[i].state,
-                          follow_long_motion(own_flow, starts[i].state, arguments.options, own)});
+                          follow_long_motion(dynamics, starts[i].state, arguments.options, own)});
       outcomes.back().orbit = orbit_of(problem, outcomes.back().motion, Deadline::after(share));
     }
   }
@@ -285,9 +283,7 @@ int tell_motion(const MotionArguments& arguments) {
     for (const Outcome& outcome : outcomes) fmt::print("{}", headline(outcome));
     fmt::print("{}", details(outcomes.front().motion));
   }
-  EventFlow endless(
-      dynamics, 1e-10, [] { return interrupted(); }, Integrator::modal);
-  write_files(arguments, problem, endless, outcomes.front());
+  write_files(arguments, problem, dynamics, outcomes.front());
   return outcomes.front().motion.verdict == LongRun::undecided ? kUnexpectedFailure : kDone;
 }
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "harness/interrupt.hpp"
 #include "harness/motion/lyapunov.hpp"
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/periodic_motion/period_map.hpp"
@@ -58,9 +59,14 @@ std::vector<double> exponents_of(const Eigen::MatrixXd& monodromy, double period
 
 class LongMotionFollower {
  public:
-  LongMotionFollower(EventFlow& flow, FlowState start, const LongMotionOptions& options,
+  LongMotionFollower(const ContactDynamics& dynamics, FlowState start, const LongMotionOptions& options,
                      const Deadline& deadline)
-      : map_(flow), state_(std::move(start)), options_(options), deadline_(deadline) {}
+      : flow_(
+            dynamics, kTolerance, [this] { return deadline_.passed() || interrupted(); }, Integrator::modal),
+        map_(flow_),
+        state_(std::move(start)),
+        options_(options),
+        deadline_(deadline) {}
 
   LongMotion run() {
     try {
@@ -104,7 +110,7 @@ class LongMotionFollower {
 
   /// Stops give no energy: where dampers take it from every mode, no motion is unbounded.
   void tell_growth() {
-    const double fading = periods_to_fade(map_.flow().dynamics());
+    const double fading = periods_to_fade(flow_.dynamics());
     result_.reason =
         fmt::format("after {} periods the state is {:.3g} times the scale of the motion, and grows",
                     map_.periods(), sizes_.back());
@@ -118,7 +124,7 @@ class LongMotionFollower {
   /// Two turns of a periodic motion: what they differ by is the error of either.
   void measure_orbit(const FixedPoint& orbit) {
     const double period = orbit.order * map_.forcing_period();
-    StopSums sums(map_.flow().dynamics().contact_count());
+    StopSums sums(flow_.dynamics().contact_count());
     FlowRecord turns[2];
     FlowState state = orbit.start;
     for (int n = 0; n < orbit.order; ++n) {
@@ -152,7 +158,7 @@ class LongMotionFollower {
 
   [[nodiscard]] bool is_still(const FixedPoint& orbit) const {
     const Eigen::VectorXd scaled = map_.scaled(orbit.start.state);
-    const double length = map_.flow().dynamics().scales().displacement;
+    const double length = flow_.dynamics().scales().displacement;
     return scaled.tail(orbit.start.state.v.size()).lpNorm<Eigen::Infinity>() <= kStill &&
            std::ranges::all_of(result_.stops, [length](const StopStatistics& stop) {
              return stop.x_max - stop.x_min <= kStill * length;
@@ -160,7 +166,7 @@ class LongMotionFollower {
   }
 
   void measure() {
-    const ContactDynamics& dynamics = map_.flow().dynamics();
+    const ContactDynamics& dynamics = flow_.dynamics();
     const double period = map_.forcing_period();
     LyapunovSum deviations(dynamics.states(), options_.exponents);
     StopSums sums(dynamics.contact_count());
@@ -212,7 +218,7 @@ class LongMotionFollower {
           "small deviations fade, but no period of at most {} is seen: it settles "
           "slowly, or repeats after more periods",
           options_.max_order);
-    } else if (const double fading = periods_to_fade(map_.flow().dynamics());
+    } else if (const double fading = periods_to_fade(flow_.dynamics());
                kFaded * fading > static_cast<double>(map_.periods())) {
       result_.reason =
           fmt::format("the slowest mode fades in {:.2g} periods: the motion may still settle", fading);
@@ -225,7 +231,7 @@ class LongMotionFollower {
 
   /// The displacement and the velocity of each contact at the beginning of a period.
   void note_section(const FlowState& at) {
-    const ContactDynamics& dynamics = map_.flow().dynamics();
+    const ContactDynamics& dynamics = flow_.dynamics();
     const MotionDerivatives motion = dynamics.derivatives(dynamics.mode(at.closed), at.time, at.state, 3);
     std::vector<double> row;
     for (Eigen::Index j = 0; j < motion.x.rows(); ++j) {
@@ -235,6 +241,7 @@ class LongMotionFollower {
     result_.section.push_back(std::move(row));
   }
 
+  EventFlow flow_;
   PeriodMap map_;
   FlowState state_;
   const LongMotionOptions& options_;
@@ -251,12 +258,14 @@ std::string_view name_of(LongRun verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
-LongMotion follow_long_motion(EventFlow& flow, const FlowState& start, const LongMotionOptions& options,
-                              const Deadline& deadline) {
-  return LongMotionFollower(flow, start, options, deadline).run();
+LongMotion follow_long_motion(const ContactDynamics& dynamics, const FlowState& start,
+                              const LongMotionOptions& options, const Deadline& deadline) {
+  return LongMotionFollower(dynamics, start, options, deadline).run();
 }
 
-std::shared_ptr<const Trajectory> first_periods(EventFlow& flow, const FlowState& start, int periods) {
+std::shared_ptr<const Trajectory> first_periods(const ContactDynamics& dynamics, const FlowState& start,
+                                                int periods) {
+  EventFlow flow(dynamics, kTolerance, interrupted, Integrator::modal);
   PeriodMap map(flow);
   FlowState state = start;
   FlowRecord record;

@@ -58,11 +58,12 @@ struct LongMotion {
 /// transient to the next, each twice as long, beyond ten scales of the motion, on a structure with a mode
 /// that no damper reaches; elsewhere such growth is a transient, and undecided.
 ///
-/// \param flow  of the scene with Integrator::modal, which `deadline` ends too
-LongMotion follow_long_motion(EventFlow& flow, const FlowState& start, const LongMotionOptions& options,
-                              const Deadline& deadline);
+/// \param deadline  ends it, as an interrupt does, with what is measured until then
+LongMotion follow_long_motion(const ContactDynamics& dynamics, const FlowState& start,
+                              const LongMotionOptions& options, const Deadline& deadline);
 
-/// The motion from a state over its first periods. \throws FlowError
-std::shared_ptr<const Trajectory> first_periods(EventFlow& flow, const FlowState& start, int periods);
+/// The motion from a state over its first periods. \throws FlowError, also where it is interrupted
+std::shared_ptr<const Trajectory> first_periods(const ContactDynamics& dynamics, const FlowState& start,
+                                                int periods);
 
 }  // namespace signorini

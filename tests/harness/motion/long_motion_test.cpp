@@ -7,6 +7,7 @@
 #include <string>
 
 #include "harness/orbits/orbit_candidate.hpp"
+#include "harness/plan/plan.hpp"
 #include "methods/linear_flow/contact_dynamics.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -28,7 +29,7 @@ Followed follow(const Problem& problem, const LongMotionOptions& options = {}, S
   EventFlow flow(
       dynamics, 1e-10, [] { return false; }, Integrator::modal);
   if (from.u.size() == 0) from = dynamics.at_rest();
-  return {follow_long_motion(flow, flow.place(0.0, from), options, endless), problem.forcing_period()};
+  return {follow_long_motion(dynamics, flow.place(0.0, from), options, endless), problem.forcing_period()};
 }
 
 // Impacts at the origin with e = 0.9: between impacts volumes shrink at the rate c / m, at each by e^2, so
@@ -77,7 +78,7 @@ law = { penalty = 100.0 })");
   std::seed_seq seeds{1U, 2U};
   std::mt19937_64 generator(seeds);
   const FlowState start = random_state(flow, generator);
-  const LongMotion found = follow_long_motion(flow, start, {.periods = 3000}, Deadline());
+  const LongMotion found = follow_long_motion(dynamics, start, {.periods = 3000}, Deadline());
   EXPECT_EQ(found.verdict, LongRun::quasi_periodic) << found.reason << found.order;
   EXPECT_NEAR(found.lyapunov[0].value, 0.0, found.lyapunov[0].error + 1e-4);
 }
