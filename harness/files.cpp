@@ -1,13 +1,17 @@
 #include "harness/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <fstream>
+#include <cstdio>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "harness/failure.hpp"
 #include "problems/files/input_file.hpp"
@@ -32,33 +36,89 @@ std::string first_line(const std::filesystem::path& path) {
   }
 }
 
+namespace {
+
+/// What will be a file: made anew under a name of its own beside it. What stands there under that name, of a
+/// run that was killed or of somebody else, is removed and never followed.
+class Draft {
+ public:
+  explicit Draft(const std::filesystem::path& file) : file_(file.string()), name_(file_ + ".new") {
+    unlink(name_.c_str());
+    constexpr mode_t kReadable = 0666;  // less the umask
+    descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadable);
+    if (descriptor_ < 0) reason_ = errno;
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+  ~Draft() {
+    if (descriptor_ < 0) return;
+    close(descriptor_);
+    unlink(name_.c_str());
+  }
+
+  void add(std::string_view piece) {
+    constexpr std::size_t kBuffered = std::size_t{1} << 16U;
+    buffer_ += piece;
+    if (buffer_.size() >= kBuffered) flush();
+  }
+
+  /// Under its final name. Returns the system's reason where that failed, else 0.
+  int keep() {
+    flush();
+    if (reason_ == 0 && fsync(descriptor_) != 0 && errno != EINVAL) reason_ = errno;
+    if (reason_ != 0) return reason_;
+    if (close(std::exchange(descriptor_, -1)) != 0 || rename(name_.c_str(), file_.c_str()) != 0) {
+      reason_ = errno;
+      unlink(name_.c_str());
+    }
+    return reason_;
+  }
+
+ private:
+  void flush() {
+    for (std::size_t done = 0; reason_ == 0 && done < buffer_.size();) {
+      const ssize_t count = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
+      if (count >= 0)
+        done += static_cast<std::size_t>(count);
+      else if (errno != EINTR)
+        reason_ = errno;
+    }
+    buffer_.clear();
+  }
+
+  std::string file_, name_, buffer_;
+  int descriptor_ = -1, reason_ = 0;
+};
+
+}  // namespace
+
 void write_whole(const std::filesystem::path& file, std::string_view text) {
   write_whole(file, [&](const TextSink& sink) { sink(text); });
 }
 
 void write_whole(const std::filesystem::path& file, const std::function<void(const TextSink&)>& write) {
-  const std::filesystem::path draft = file.string() + ".new";
-  errno = 0;
-  std::ofstream stream(draft, std::ios::binary);
-  int reason = stream ? 0 : errno;
-  write([&](std::string_view piece) {
-    if (!stream) return;
-    errno = 0;
-    stream << piece;
-    if (!stream) reason = errno;  // streams keep that of the system
-  });
-  if (stream) {
-    errno = 0;
-    stream.close();
-    if (!stream) reason = errno;
-  }
-  std::error_code failure;
-  if (stream) std::filesystem::rename(draft, file, failure);
-  if (!stream) failure = std::error_code(reason, std::generic_category());
-  if (!stream || failure) {
+  Draft draft(file);
+  write([&](std::string_view piece) { draft.add(piece); });
+  if (const int reason = draft.keep(); reason != 0) {
     throw UsageError(fmt::format("out = {} (must be in a folder that can be written: {})", file.string(),
-                                 failure.message()));
+                                 std::error_code(reason, std::generic_category()).message()));
   }
+}
+
+void require_own_file(const std::filesystem::path& file) {
+  struct stat found {};
+  if (lstat(file.c_str(), &found) != 0 || (S_ISREG(found.st_mode) && found.st_nlink == 1)) return;
+  throw UsageError(
+      fmt::format("out = {} (must be a regular file with no other name, or missing)", file.string()));
+}
+
+std::filesystem::path folder_inside(const std::filesystem::path& folder, const std::string& name) {
+  const std::filesystem::path inside = folder / name;
+  std::error_code failure;
+  std::filesystem::create_directories(inside, failure);
+  if (!std::filesystem::is_directory(std::filesystem::symlink_status(inside, failure)))
+    throw UsageError(fmt::format("out = {} (must be a folder, and no link to one)", inside.string()));
+  return inside;
 }
 
 std::string sha256(std::string_view bytes) {

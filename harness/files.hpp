@@ -22,12 +22,22 @@ std::string first_line(const std::filesystem::path& path);
 /// Takes a piece of a text.
 using TextSink = std::function<void(std::string_view piece)>;
 
-/// Writes text to a file in one piece: a reader sees the old contents or the new.
-/// \throws UsageError, with the system's reason, if the folder cannot be written or is full
+/// Writes text to a file in one piece: a reader sees the old contents or the new. Nothing that stands there
+/// is followed or opened: a link is replaced, not what it leads to. \throws UsageError, with the system's
+/// reason, if the folder cannot be written or is full
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
 /// The same of a text that `write` gives piece by piece, which is never in memory as a whole.
 void write_whole(const std::filesystem::path& file, const std::function<void(const TextSink&)>& write);
+
+/// For a file that is to be changed where it stands. \throws UsageError where its name is that of a link, a
+/// pipe, a device or a folder, or one of several names of a file: of a folder from somebody else that may be
+/// any file of the user
+void require_own_file(const std::filesystem::path& file);
+
+/// A folder in a folder, made with those above it where they are missing. \throws UsageError where its name
+/// is that of a link or of a file
+std::filesystem::path folder_inside(const std::filesystem::path& folder, const std::string& name);
 
 /// SHA-256 of the bytes, 64 lower-case hexadecimal digits (FIPS 180-4).
 std::string sha256(std::string_view bytes);

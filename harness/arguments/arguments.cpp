@@ -3,10 +3,25 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace signorini {
+
+namespace {
+
+// The parser takes the largest number for all above it.
+std::string whole_in_64_bits(const std::string& word) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool ok = error == std::errc{} && end == word.data() + word.size();
+  return ok ? std::string{} : fmt::format("Value {} is no whole number, 0 to {}", word, UINT64_MAX);
+}
+
+}  // namespace
 
 const Argument& Argument::required() const {
   option_->required();
@@ -44,7 +59,13 @@ const Argument& Argument::range(int least, int most) const {
 }
 
 const Argument& Argument::range(double least, double most) const {
-  option_->check(CLI::Range(least, most));
+  option_->check(CLI::Range(least, most));  // which takes nan
+  const std::string reason = fmt::format("not in range {} to {}", least, most);
+  option_->check([reason](const std::string& word) {
+    double value = 0.0;
+    const bool ok = CLI::detail::lexical_cast(word, value) && !std::isnan(value);
+    return ok ? std::string{} : fmt::format("Value {} {}", word, reason);
+  });
   return *this;
 }
 
@@ -82,7 +103,9 @@ void Command::require_command() const { app_->require_subcommand(1); }
 
 template <ArgumentValue T>
 Argument Command::option(std::string_view name, T& value, std::string_view description) const {
-  return Argument(*app_->add_option(std::string(name), value, std::string(description)));
+  CLI::Option* const option = app_->add_option(std::string(name), value, std::string(description));
+  if constexpr (std::is_same_v<T, std::uint64_t>) option->check(whole_in_64_bits);
+  return Argument(*option);
 }
 
 template Argument Command::option(std::string_view, std::string&, std::string_view) const;

@@ -51,6 +51,15 @@ int complain(const std::string& line, int code) {
   return code;
 }
 
+/// Signals as a program finds them that nobody has prepared: a parent may ignore or block what this one waits
+/// for.
+void take_default_signals() {
+  std::signal(SIGCHLD, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
 /// What a caller has closed of stdin, stdout and stderr becomes /dev/null: the next file that is opened, a
 /// run's records for instance, would bear its number and take what is printed.
 void open_standard_files() {
@@ -153,6 +162,7 @@ void add_plugin_options(const Command& program, const std::shared_ptr<std::vecto
 
 int run_command_line(int argc, char** argv) {
   int exit_code = kDone;
+  take_default_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write, which names the file
   open_standard_files();
   compute_on_one_thread();  // may initialise a library that writes files

@@ -106,6 +106,7 @@ void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options, 
 
 int list_orbits(const OrbitsArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
+  if (!arguments.plot.empty()) require_contact_to_draw(scene.problem);
   OrbitSearchOptions options = arguments.options;
   options.subharmonics = arguments.subharmonics.value_or(default_subharmonics(scene.problem));
   watch_interrupts();

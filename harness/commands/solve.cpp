@@ -103,6 +103,7 @@ int solve(const SolveArguments& arguments) {
   const std::vector cases{
       make_case(scene, 0, {&find_method(arguments.method), parse_settings(arguments.settings)})};
   require_coordinates(arguments.dofs, scene.problem.size());
+  if (!arguments.plot.empty()) require_contact_to_draw(scene.problem);
   SolveExtras extras{.start = start_of(arguments, scene, cases.front()),
                      .samples = arguments.samples,
                      .summary = SummaryRequest{.harmonics = arguments.harmonics, .dofs = arguments.dofs}};

@@ -251,6 +251,7 @@ int sweep_branches(const SweepArguments& arguments) {
           (response.steps.empty() ? !response.diagram.branches.empty() : all_converged(response.steps));
     if (interrupted()) break;
   }
+  stream.end();
   print(arguments, responses);
   if (!arguments.plot.empty()) {
     const auto ordinate =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
@@ -21,6 +22,10 @@ std::string plot_obstacle(const std::string& file) {
   if (!fs::is_directory(folder, ignored))
     return fmt::format("plot = {} (must stand in a folder that is there)", file);
   return {};
+}
+
+void require_contact_to_draw(const Problem& problem) {
+  if (problem.contacts.empty()) throw UsageError("plot = nothing to draw (the scene has no contact)");
 }
 
 void write_plot(const std::filesystem::path& file, const Figure& figure) {

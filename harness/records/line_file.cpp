@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_check.hpp"
 
@@ -141,7 +142,9 @@ std::string StoredLines::at(const LinePlace& place) const {
 }
 
 Descriptor open_to_append(const std::filesystem::path& file) {
-  Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
+  require_own_file(file);
+  Descriptor descriptor(
+      open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644));
   if (!descriptor.is_open()) {
     throw UsageError(
         fmt::format("out = {} (must be a folder that can be written)", file.parent_path().string()));

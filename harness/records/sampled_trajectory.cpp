@@ -19,6 +19,8 @@ namespace signorini {
 
 namespace {
 
+constexpr double kLargestJudged = 1e150;  // the squares of larger numbers overflow
+
 std::string size_defect(const char* name, const Eigen::MatrixXd& values, Eigen::Index count,
                         Eigen::Index contacts) {
   if (values.rows() != count || values.cols() != contacts) {
@@ -26,6 +28,8 @@ std::string size_defect(const char* name, const Eigen::MatrixXd& values, Eigen::
                        count, contacts);
   }
   if (!values.allFinite()) return fmt::format("{} has values that are not finite", name);
+  if (const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; largest > kLargestJudged)
+    return fmt::format("{} reaches {:.3g}: no measure of it is finite", name, largest);
   return {};
 }
 
@@ -34,7 +38,7 @@ std::string place_defect(std::string_view what, int contact, double time, double
                          double period) {
   if (contact < 0 || contact >= contacts)
     return fmt::format("{} is at contact {} of {}", what, contact, contacts);
-  if (!std::isfinite(momentum) || !(time >= 0.0) || !(time <= period))
+  if (!(std::abs(momentum) <= kLargestJudged) || !(time >= 0.0) || !(time <= period))
     return fmt::format("{} of {} N s is at {} s, outside the period", what, momentum, time);
   return {};
 }
@@ -289,6 +293,10 @@ std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const Traj
   data.samples.velocity = matrix(samples.velocity, samples.t.size(), contacts);
   data.samples.force = matrix(samples.force, samples.t.size(), contacts);
   data.impulses = samples.impulses;
+  constexpr int kMostHarmonics = 1000000;
+  if (samples.bandwidth && (*samples.bandwidth < 0 || *samples.bandwidth > kMostHarmonics))
+    throw BadRecord(
+        fmt::format("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics));
   data.bandwidth = samples.bandwidth;
   data.events = samples.events;
   try {

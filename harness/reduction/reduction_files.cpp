@@ -42,20 +42,26 @@ std::string matrix_market(const SparseMatrix& A) {
 /// A string as TOML has it.
 std::string toml_string(const std::string& text) { return json_text(nlohmann::ordered_json(text)); }
 
+/// Whether a scene may state the damping so: of an undamped structure with a damped stop alpha is negative.
+bool is_rayleigh(const ProportionalDamping& damping) { return damping.alpha >= 0.0 && damping.beta >= 0.0; }
+
 std::string scene_text(const Problem& reduced, const std::string& name, const std::string& of, int vectors,
                        const ProportionalDamping& damping) {
   std::string text =
       fmt::format("schema = 1\nname = {}\ntitle = {}\n", toml_string(name),
-                  toml_string(fmt::format("{}, reduced to {} vectors", reduced.title, vectors)));
+                  toml_string(fmt::format("{}, reduced to {} vectors",
+                                          reduced.title.empty() ? of : reduced.title, vectors)));
   text +=
       fmt::format("reference = {}\n",
                   toml_string(fmt::format("{}: its lowest Ritz vectors, and statically all the rest", of)));
   std::vector<std::string> tags = reduced.tags;
   if (std::ranges::find(tags, "reduced") == tags.end()) tags.emplace_back("reduced");
   text += fmt::format("tags = {}\n\n", json_text(nlohmann::ordered_json(tags)));
-  text += fmt::format(
-      "[system]\nkind = \"matrices\"\nmass = {}\nstiffness = {}\nrayleigh = {{ alpha = {}, beta = {} }}\n\n",
-      toml_string(name + "-M.mtx"), toml_string(name + "-K.mtx"), damping.alpha, damping.beta);
+  text += fmt::format("[system]\nkind = \"matrices\"\nmass = {}\nstiffness = {}\n{}\n\n",
+                      toml_string(name + "-M.mtx"), toml_string(name + "-K.mtx"),
+                      is_rayleigh(damping)
+                          ? fmt::format("rayleigh = {{ alpha = {}, beta = {} }}", damping.alpha, damping.beta)
+                          : fmt::format("damping = {}", toml_string(name + "-D.mtx")));
   text += fmt::format("[forcing]\nfrequency = {}\n", reduced.frequency);
   if (reduced.subharmonic > 1) text += fmt::format("subharmonic = {}\n", reduced.subharmonic);
   for (const ForceTerm& term : reduced.force)
@@ -126,6 +132,8 @@ std::string write_reduction(const Scene& scene, const ReductionOrder& order, con
   const std::string name = order.out.stem().string();
   write_whole(folder / (name + "-M.mtx"), matrix_market(reduced.problem.mass()));
   write_whole(folder / (name + "-K.mtx"), matrix_market(reduced.problem.stiffness()));
+  if (!is_rayleigh(space.damping()))
+    write_whole(folder / (name + "-D.mtx"), matrix_market(reduced.problem.damping()));
   write_whole(order.out, scene_text(reduced.problem, name, problem.name, vectors, space.damping()));
   std::string told = fmt::format(
       "{}: {} coordinates in place of {}: {} vectors, {} contacts and their static compliance\n"

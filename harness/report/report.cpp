@@ -69,7 +69,7 @@ void write_pages(const fs::path& folder, const Evaluation& evaluation, const std
   fs::remove_all(folder / "pages", failure);  // of a report of more cases
   if (evaluation.results().size() <= kMostOfPage)
     return write_whole(folder / "report.html", html_page(title, manifest, evaluation, sections));
-  fs::create_directories(folder / "pages", failure);
+  folder_inside(folder, "pages");
   const std::vector<PagePart> parts = page_parts(evaluation);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<Record> records;
@@ -131,9 +131,8 @@ std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& eva
   }
   if (wants("tex")) {
     draw_all_figures(folder / "figures", evaluation, sections, column);
-    fs::create_directories(folder / "tables");
-    for (const Section& section : sections)
-      write(folder / "tables" / (section.id + ".tex"), to_latex(section));
+    const fs::path tables = folder_inside(folder, "tables");
+    for (const Section& section : sections) write(tables / (section.id + ".tex"), to_latex(section));
   }
   if (wants("html")) {
     write_pages(folder, evaluation, sections);

@@ -38,7 +38,7 @@ void ExactResponse::take(Record& record) {
   if (!record.response) return;
   curve_ = curve_of(*record.response);
   if (!run_.empty()) {
-    make_folder(run_ / "exact");
+    folder_inside(run_, "exact");
     write_whole(file_of(run_, record.scene), json_line(to_json(record)) + "\n");
   }
   for (DrawnBranch& branch : record.response->branches) {

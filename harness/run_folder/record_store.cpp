@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/isolation/freed_at_once.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
@@ -32,6 +33,7 @@ Record parse_line(std::string_view line) {
 /// Cuts off a last line that a kill tore, so that the next record begins a line of its own. Takes the records
 /// that are left; none where there is no file.
 void repair_file(const fs::path& file, const std::function<void(Record)>& take) {
+  require_own_file(file);
   if (!fs::exists(file)) return;
   const std::uint64_t whole =
       for_each_record(file, [&](Record record, const LinePlace&) { take(std::move(record)); });

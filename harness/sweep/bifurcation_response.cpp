@@ -9,6 +9,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/sweep/frequency_response.hpp"
 #include "harness/text/words.hpp"
 #include "problems/scene/varied_scene.hpp"
 
@@ -28,6 +29,8 @@ SpecialKind followed_kind(const std::string& name) {
 }
 
 ScenePlane plane_of(const SceneSource& source, double from, double to, const SecondParameter& second) {
+  require_frequency("from", from);
+  require_frequency("to", to);
   if (second.place == kFrequency)
     throw UsageError(fmt::format("second = {} (must be another number than the frequency)", second.place));
   for (const auto& [name, value] :

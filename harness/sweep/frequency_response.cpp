@@ -21,11 +21,6 @@ int instants_kept(const Problem& problem) {
   return std::clamp(kOfAllContacts / std::max(1, problem.contact_count()), kFewest, kMost);
 }
 
-void require_end(const char* name, double value) {
-  if (!std::isfinite(value) || !(value > 0.0))
-    throw UsageError(fmt::format("{} = {} (must be a positive number of rad/s)", name, value));
-}
-
 /// The motion with its time stretched by `factor`: a start, no answer.
 std::shared_ptr<const SampledTrajectory> stretched(const Record& record, double factor) {
   SampledTrajectory::Data data = trajectory_of(*record.period, *record.trajectory)->data();
@@ -108,11 +103,16 @@ std::string stability_text(const SweepPoint& point) {
 
 }  // namespace
 
+void require_frequency(const char* name, double value) {
+  if (!std::isfinite(value) || !(value > 0.0))
+    throw UsageError(fmt::format("{} = {} (must be a positive number of rad/s)", name, value));
+}
+
 std::vector<double> sweep_frequencies(const SweepRange& range) {
-  require_end("from", range.from);
-  require_end("to", range.to);
+  require_frequency("from", range.from);
+  require_frequency("to", range.to);
   if (!range.at.empty()) {
-    for (const double value : range.at) require_end("at", value);
+    for (const double value : range.at) require_frequency("at", value);
     return range.at;
   }
   if (range.from == range.to) throw UsageError(fmt::format("to = {} (must differ from --from)", range.to));

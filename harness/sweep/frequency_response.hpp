@@ -23,6 +23,9 @@ struct SweepRange {
   std::vector<double> at = {};  ///< these frequencies instead of `points` between both ends, if any
 };
 
+/// \throws UsageError unless a frequency is finite and positive \param name  of the option that gives it
+void require_frequency(const char* name, double value);
+
 /// The frequencies in the order they are solved. \throws UsageError unless the ends are finite, positive and
 /// different, and those of `at` positive and different too
 std::vector<double> sweep_frequencies(const SweepRange& range);

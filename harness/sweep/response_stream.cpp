@@ -50,6 +50,10 @@ void ResponseStream::step(const MethodResponse& of, const SweepPoint& step) {
   }
 }
 
+void ResponseStream::end() {
+  if (format_ == "csv" && !begun_) rows(shape_);
+}
+
 void ResponseStream::rows(const MethodResponse& response) {
   std::string text = to_csv(branch_table({response}, branches_));
   if (begun_) text.erase(0, text.find('\n') + 1);

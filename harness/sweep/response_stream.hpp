@@ -19,6 +19,8 @@ class ResponseStream {
   [[nodiscard]] bool prints() const { return format_ == "csv" || format_ == "jsonl"; }
   void branch(const MethodResponse& of, const Branch& branch);
   void step(const MethodResponse& of, const SweepPoint& step);
+  /// After the last one: of csv without any row the header.
+  void end();
 
  private:
   void rows(const MethodResponse& response);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdlib>
+
 namespace signorini {
 
 std::string joined(std::span<const std::string> words, std::string_view between) {
@@ -15,6 +18,12 @@ std::string joined(std::span<const double> numbers, std::string_view format, std
   for (std::size_t i = 0; i < numbers.size(); ++i)
     text.append(i == 0 ? "" : between).append(fmt::format(fmt::runtime(format), numbers[i]));
   return text;
+}
+
+double rounded(double value, int digits) {
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  const double read = std::strtod(text.c_str(), nullptr);  // std::stod throws at the least numbers
+  return std::isfinite(read) ? read : value;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

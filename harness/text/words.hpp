@@ -18,6 +18,10 @@ std::string joined(std::span<const double> numbers, std::string_view format, std
 /// What stands between the separators: one word more than there are separators, some of them empty.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// A finite number rounded to so many significant decimal digits, as it is printed. Unchanged where that is
+/// beyond the largest number. \param digits  1..17
+double rounded(double value, int digits);
+
 /// The text with every `from`, which is not empty, replaced by `to`, read once from the left.
 std::string replaced(std::string_view text, std::string_view from, std::string_view to);
 

@@ -132,7 +132,7 @@ Eigen::VectorXcd indicator_spectrum(const std::vector<ContactInterval>& interval
     const double half = std::numbers::pi * (end - begin);
     for (int n = 1; n <= count; ++n) {
       // The middle and the half width keep their digits for short intervals.
-      spectrum[n] += std::polar(std::sin(n * half) / (n * std::numbers::pi), -kTwoPi * n * middle);
+      spectrum[n] += std::sin(n * half) / (n * std::numbers::pi) * std::polar(1.0, -kTwoPi * n * middle);
     }
   }
   return spectrum;

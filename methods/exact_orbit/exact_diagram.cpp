@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,12 @@ class Beginnings {
     return std::move(orbits_);
   }
 
+  /// Why `find` has found none.
+  [[nodiscard]] std::string reason() const {
+    if (!family_.driven()) return "no free motion was found to begin from, and the load does not vary";
+    return "no orbit was found to begin from" + (refusal_.empty() ? "" : ": " + refusal_);
+  }
+
  private:
   void add_contact_free() {
     for (const double end : {family_.scene().from, family_.scene().to})
@@ -54,10 +61,17 @@ class Beginnings {
 
   void add_answer(double parameter) {
     const Problem problem = family_.scene().at(parameter);
-    if (limits_.expired() || !method_.supports(problem).ok || prefers_reduction(problem)) return;
+    if (limits_.expired() || prefers_reduction(problem)) return;
+    if (const Support support = method_.supports(problem); !support.ok) {
+      refusal_ = support.reason;
+      return;
+    }
     try {
       const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
-      if (solution.verdict == Verdict::converged) add({parameter, solution.trajectory});
+      if (solution.verdict == Verdict::converged)
+        add({parameter, solution.trajectory});
+      else
+        refusal_ = solution.message;
     } catch (const std::runtime_error&) {  // a resonance, or a mean load that nothing balances
       failure_ = std::current_exception();
     }
@@ -101,13 +115,17 @@ class Beginnings {
   const CurveLimits& limits_;
   std::vector<SequencedOrbit> orbits_;
   std::exception_ptr failure_;  // of the last answer that could not be asked for
+  std::string refusal_;         // of the last answer that is none
 };
 
 }  // namespace
 
 OrbitDiagram exact_diagram(const ParametrisedScene& scene, const Method& method, const CurveLimits& limits) {
   OrbitFamily family(scene);
-  return trace_diagram(family, Beginnings(family, method, limits).find(), limits);
+  Beginnings beginnings(family, method, limits);
+  OrbitDiagram diagram = trace_diagram(family, beginnings.find(), limits);
+  if (diagram.branches.empty() && diagram.unfinished.empty()) diagram.unfinished = beginnings.reason();
+  return diagram;
 }
 
 }  // namespace signorini

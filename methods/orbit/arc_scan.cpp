@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "methods/solvers/bracketed_zero.hpp"
@@ -33,6 +34,8 @@ LimitedSample steepest(const LimitedOutput& f, const LimitedSample& a, const Lim
   return sample(f, bracketed_zero(curvature, step, kNarrow * (b.time - a.time)).value_or(step).a);
 }
 
+constexpr std::size_t kMostInstants = std::size_t{1} << 20U;  // 65,536 periods; 8 MB
+
 // Instants from `begin` to `end`, both included, a step apart that resolves the fastest rate left, so many
 // steps at least.
 std::vector<double> instants(double begin, double end, const std::vector<FadingRate>& terms, int steps = 2) {
@@ -42,6 +45,9 @@ std::vector<double> instants(double begin, double end, const std::vector<FadingR
     const double next = t + std::min(kAngle / fastest_left(terms, t), (end - begin) / steps);
     t = next > t ? std::min(end, next) : end;  // an arc as short as rounding has no middle
     times.push_back(t);
+    if (times.size() > kMostInstants)
+      throw std::runtime_error(
+          "an arc lasts too many periods of its fastest motion to be looked at between events");
   }
   return times;
 }

@@ -51,6 +51,7 @@ struct LimitedSample {
 /// instants of `largest`, all are returned.
 ///
 /// \param terms  LinearArc::fading_rates of the arc, for `largest`
+/// \throws std::runtime_error on an arc of more than 2^20 such instants, as `largest` does
 std::vector<LimitedOutput> near_limit(const std::vector<LimitedOutput>& outputs, double begin, double end,
                                       const std::vector<FadingRate>& terms);
 

@@ -46,6 +46,7 @@ Structure structure_of(const ContactReduction& reduction, const Eigen::MatrixXd&
 
 ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& reduction) {
   ReducedProblem result{.obstacle = reduction.obstacle};
+  if (result.obstacle.empty() && scene.contacts.empty()) result.obstacle = "it has no contact";
   if (result.obstacle.empty() && has_impacts(scene))
     result.obstacle = "a contact with mass and an impact law is another one in a reduced structure";
   if (result.obstacle.empty() && std::holds_alternative<MixedLaws>(scene.law()))

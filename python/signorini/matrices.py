@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .files import write_whole
 from .libraries import MissingLibrary, library
 from .program import BAD_INPUT, DONE, BadInput
 from .scene_file import FILES, Entries, entries_of, write_matrix_market
@@ -58,7 +59,7 @@ class Structure:
             write_matrix_market(folder / FILES[key], self.size, entries)
         if self.coordinates:
             lines = [f"{number},{node},{degree}" for number, (node, degree) in enumerate(self.coordinates)]
-            (folder / "coordinates.csv").write_text("\n".join(["coordinate,node,degree", *lines]) + "\n", encoding="ascii")
+            write_whole(folder / "coordinates.csv", "\n".join(["coordinate,node,degree", *lines]) + "\n", encoding="ascii")
         return folder
 
     def _sparse(self, key: str):

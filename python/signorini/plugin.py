@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from .files import require_name, write_whole
 from .motion import Motion
 from .problem import Problem
 from .program import SignoriniError
@@ -61,10 +62,11 @@ class PythonMethod:
 
         Raises SignoriniError for a function that is not at the top level of a file.
         """
+        require_name(self.name)
         file = self._file()
         folder = file.parent if folder is None else Path(folder)
         description = folder / f"{self.name}.toml"
-        description.write_text(self.toml(file, beside=folder == file.parent), encoding="utf-8")
+        write_whole(description, self.toml(file, beside=folder == file.parent))
         return description
 
     def toml(self, file: Path, beside: bool) -> str:

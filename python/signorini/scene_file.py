@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .files import require_name, write_whole
 from .problem import Contact, Load, Problem
 
 Matrix = np.ndarray | Sequence[Sequence[float]] | object  # or a matrix of scipy.sparse
@@ -69,13 +70,14 @@ class SceneFile:
                    contacts=problem.contacts, law=law)
 
     def write(self, folder: str | Path) -> Path:
-        """The files, into a folder that is made if need be; returns the path of NAME.toml."""
+        """The files, into a folder that is made if need be; returns the path of NAME.toml. Raises BadInput for a name that is none."""
+        require_name(self.name)
         folder = Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
         for key, entries in self.matrices.items():
             write_matrix_market(folder / FILES[key], self.size, entries)
         file = folder / f"{self.name}.toml"
-        file.write_text(self.toml(), encoding="utf-8")
+        write_whole(file, self.toml())
         return file
 
     def toml(self) -> str:
@@ -160,4 +162,4 @@ def write_matrix_market(file: Path, size: int, entries: Entries) -> None:
     rows, columns, values = entries
     lines = [f"{row + 1} {column + 1} {value!r}" for row, column, value in zip(rows.tolist(), columns.tolist(), values.tolist())]
     head = ["%%MatrixMarket matrix coordinate real general", f"{size} {size} {len(lines)}"]
-    file.write_text("\n".join(head + lines) + "\n", encoding="ascii")
+    write_whole(file, "\n".join(head + lines) + "\n", encoding="ascii")

@@ -24,6 +24,7 @@ import tempfile
 import time
 
 import command_attacks
+import documented
 import file_attacks
 import load
 import method_attacks
@@ -57,6 +58,9 @@ CAMPAIGNS = {
     "references": (command_attacks.references, 2, 100),
     "starts": (command_attacks.starts, 5, 150),
     "reproductions": (reproductions.reproductions, 21, 21),
+    "documented": (documented.pairs, 40, 1000),
+    "crashed": (documented.crashed, 10, 10),
+    "traps": (documented.traps, 40, 500),
     "load": (load.campaign_of, 40, 1000),
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <string>
@@ -35,6 +36,40 @@ TEST(Files, AreReplacedWholeAndLeaveNoDraft) {
   EXPECT_EQ(read_file(folder / "file"), "short");
   const std::filesystem::directory_iterator entries(folder);
   EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+}
+
+TEST(Files, OfTheUserAreNotReachedByLinks) {
+  const std::filesystem::path folder = test::fresh_folder("files");
+  write_whole(folder / "own", "precious");
+  for (const char* link : {"file", "file.new"}) std::filesystem::create_symlink("own", folder / link);
+  write_whole(folder / "file", "text");
+  EXPECT_EQ(read_file(folder / "own"), "precious");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "file"));
+  EXPECT_EQ(read_file(folder / "file"), "text");
+  ASSERT_EQ(mkfifo((folder / "file.new").c_str(), 0600),
+            0);  // opened to be written it would wait for a reader
+  write_whole(folder / "file", "other");
+  EXPECT_EQ(read_file(folder / "file"), "other");
+}
+
+TEST(RequireOwnFile, TakesAFileWithOneNameOrNone) {
+  const std::filesystem::path folder = test::fresh_folder("files");
+  write_whole(folder / "own", "precious");
+  EXPECT_NO_THROW(require_own_file(folder / "own"));
+  EXPECT_NO_THROW(require_own_file(folder / "none"));
+  std::filesystem::create_symlink("own", folder / "link");
+  std::filesystem::create_hard_link(folder / "own", folder / "second-name");
+  for (const char* name : {"link", "own", "second-name", "."})
+    EXPECT_THROW(require_own_file(folder / name), UsageError);
+}
+
+TEST(FolderInside, IsMadeAndIsNoLink) {
+  const std::filesystem::path folder = test::fresh_folder("files");
+  EXPECT_TRUE(std::filesystem::is_directory(folder_inside(folder, "a")));
+  EXPECT_EQ(folder_inside(folder, "a"), folder / "a");
+  std::filesystem::create_directory_symlink("a", folder / "link");
+  write_whole(folder / "file", "");
+  for (const char* name : {"link", "file"}) EXPECT_THROW(folder_inside(folder, name), UsageError);
 }
 
 TEST(Files, ThatCannotBeReadOrWrittenAreRefused) {

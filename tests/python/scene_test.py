@@ -1,6 +1,8 @@
 """Scenes and what is computed of them, against closed forms, receptances and the catalogue."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 import support
 import numpy as np
@@ -28,6 +30,29 @@ def linear_scene(frequency=1.3, gap=100.0, subharmonic=1):
     normal = np.array([0.6, 0.0, -0.8])
     return scene, {h: normal @ support.receptance(M, D, K, h * frequency) @ force for h, force in
                    {0: [0, 0.7, 0], 1: [1.0 + 0.5j, 0, 0], 3: [0, 0, 0.3]}.items()}
+
+
+class Names(unittest.TestCase):
+    def test_are_no_paths(self):
+        with tempfile.TemporaryDirectory() as folder:
+            own = Path(folder, "own.toml")
+            own.write_text("the user's\n")
+            for name in (str(own.with_suffix("")), "../own", "Own", "", "a" * 65):
+                with self.assertRaises(BadInput):
+                    Scene.from_matrices([[1.0]], [[0.1]], [[1.0]], frequency=1.0, load={0: 1.0}, name=name)
+            self.assertEqual(own.read_text(), "the user's\n")
+
+    def test_of_links_are_replaced_and_what_they_lead_to_stays(self):
+        _, scene = oscillator()
+        with tempfile.TemporaryDirectory() as folder:
+            own = Path(folder, "own")
+            own.write_text("the user's\n")
+            for name in ("K.mtx", "K.mtx.new", "from-matrices.toml"):
+                Path(folder, name).symlink_to(own)
+            file = scene.save(folder)
+            self.assertEqual(own.read_text(), "the user's\n")
+            self.assertFalse(file.is_symlink())
+            self.assertEqual(Scene(str(file)).problem.size, 1)
 
 
 class Solutions(unittest.TestCase):

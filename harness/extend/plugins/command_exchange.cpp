@@ -120,9 +120,6 @@ std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
   TrajectorySamples samples;
   read_fields(json.at("trajectory"), samples);
   samples.events.reset();  // a command lists its own beside the trajectory
-  constexpr int kMostHarmonics = 1000000;
-  if (samples.bandwidth && (*samples.bandwidth < 0 || *samples.bandwidth > kMostHarmonics))
-    refuse(fmt::format("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics));
   require_equidistant(samples.t, period);
   const auto motion = trajectory_of(period, samples);
   if (!json.contains("events")) return motion;

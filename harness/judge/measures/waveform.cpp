@@ -1,10 +1,10 @@
 #include "harness/judge/measures/waveform.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -56,13 +56,13 @@ Eigen::MatrixXd signals_of(const Motion& motion, int contact, int periods) {
   return signals;
 }
 
-double rounded(double value) { return std::stod(fmt::format("{:.5g}", value)); }
+constexpr int kDrawnDigits = 5;
 
 std::vector<double> rounded_at(const Eigen::Ref<const Eigen::VectorXd>& values,
                                const std::vector<int>& places) {
   std::vector<double> list;
   list.reserve(places.size());
-  for (const int place : places) list.push_back(rounded(values[place]));
+  for (const int place : places) list.push_back(rounded(values[place], kDrawnDigits));
   return list;
 }
 
@@ -77,7 +77,7 @@ Waveform draw(const Motion& motion, const std::vector<int>& contacts, int period
                                                             periods)(Eigen::seqN(0, rows, every), Eigen::all);
   const std::vector<int> places = polyline(signals, tolerance);
   Waveform waveform;
-  for (const int place : places) waveform.t.push_back(rounded(place * every * motion.step()));
+  for (const int place : places) waveform.t.push_back(rounded(place * every * motion.step(), kDrawnDigits));
   for (Eigen::Index c = 0; c < kept; ++c) {
     const auto list = [&](Signal signal) { return rounded_at(signals.col(c * kSignals + signal), places); };
     waveform.x.push_back(list(kX));

@@ -31,6 +31,8 @@ constexpr const char* kLog = "gnuplot.log";
 
 /// Runs gnuplot in the folder; its exit code, or that it could not be started.
 int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts) {
+  std::error_code ignored;
+  fs::remove(folder / kLog, ignored);
   std::vector<std::string> words{"gnuplot", "-d"};  // without what ~/.gnuplot would add
   words.insert(words.end(), scripts.begin(), scripts.end());
   std::vector<char*> arguments;
@@ -40,7 +42,8 @@ int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts)
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   constexpr int kReadable = 0644;
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, kLog, O_WRONLY | O_CREAT | O_TRUNC, kReadable);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, kLog, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW,
+                                   kReadable);
   pid_t child = 0;
   const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -204,12 +207,13 @@ std::string drawn(const Figure& figure, std::string_view format) {
 }
 
 void draw_figures(const fs::path& folder, std::span<const Figure> figures) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
+  folder_inside(folder.parent_path(), folder.filename().string());
   if (figures.empty()) return;
+  std::error_code failure;
   std::vector<std::string> scripts;
   for (const Figure& figure : figures) {
     require_plain_name(figure.name);
+    fs::remove(folder / (figure.name + ".pdf"), failure);  // gnuplot would follow a link
     write_whole(folder / (figure.name + ".dat"), figure.data);
     write_whole(folder / (figure.name + ".gp"), whole_script(figure));
     scripts.push_back(figure.name + ".gp");

@@ -53,8 +53,6 @@ constexpr std::string_view kResponsePanels =
 set grid back lc rgb '#dddddd' lw 0.5
 set border 3
 set tics nomirror
-set logscale y
-set format y '10^{{%T}}'
 set tics font ',8'
 set title font ',8' offset 0,-0.6
 set label 1 "amplitude [m] over frequency of the load [rad/s]; {}grey: exact, dashed where unstable; {}blue: by arc length; orange: by steps" at screen 0.5,{:.4f} center font ',8'
@@ -62,15 +60,25 @@ set xrange [{:.8g}:{:.8g}]
 unset key
 )";
 
-/// The method's own branches, or the points of its steps, over the exact ones.
-std::string panel(const Record& record, std::optional<int> stable, std::optional<int> unstable,
-                  Canvas& canvas) {
+bool moves(const Record& record) {
+  return std::ranges::any_of(record.response->branches, [](const DrawnBranch& branch) {
+    return std::ranges::any_of(branch.amplitude, [](double amplitude) { return amplitude > 0.0; });
+  });
+}
+
+/// The method's own branches, or the points of its steps, over the exact ones. What never moves has no
+/// logarithm.
+std::string panel(const Record& record, const Record& exact, std::optional<int> stable,
+                  std::optional<int> unstable, Canvas& canvas) {
   canvas.plot(stable, "with lines lc rgb '#bbbbbb' lw 4");
   canvas.plot(unstable, "with lines lc rgb '#bbbbbb' lw 2 dt (8,6)");
   const bool by_steps = record.response->question.way == ResponseWay::steps;
   canvas.draw(lines_of(record.response->branches),
               by_steps ? "with points lc rgb '#D55E00' pt 6 ps 0.3" : "with lines lc rgb '#0072B2' lw 1");
-  return fmt::format("set title {} noenhanced\n{}", gnuplot_string(label_with_law(record)), canvas.panel());
+  const char* const scale = moves(record) || moves(exact) ? "set logscale y\nset format y '10^{%T}'\n"
+                                                          : "unset logscale y\nset format y '%g'\n";
+  return fmt::format("{}set title {} noenhanced\n{}", scale, gnuplot_string(label_with_law(record)),
+                     canvas.panel());
 }
 
 Figure response_figure(const Record& exact, std::span<const Record> records, Column column) {
@@ -82,7 +90,7 @@ Figure response_figure(const Record& exact, std::span<const Record> records, Col
   int count = 0;
   for (const Record& record : records) {
     if (is_exact(record) || record.scene != exact.scene || record.response->branches.empty()) continue;
-    panels += panel(record, stable, unstable, canvas);
+    panels += panel(record, exact, stable, unstable, canvas);
     if (count++ == 0) panels += "unset label 1\n";  // once is enough
   }
   const bool narrow = is_narrow(column);

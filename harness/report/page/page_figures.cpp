@@ -27,7 +27,7 @@ constexpr std::size_t kManySteps = 2000;
 constexpr double kLeastStep = 1.0 / kManySteps;
 
 /// With as many digits as a figure shows.
-double four_digits(double value) { return std::stod(fmt::format("{:.4g}", value)); }
+double four_digits(double value) { return rounded(value, 4); }
 
 Json four_digits(const std::vector<double>& values) {
   Json list = Json::array();

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 /// With as many digits as a figure shows when it is enlarged.
 Json to_digits(const std::vector<double>& values, int digits) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(std::stod(fmt::format("{:.{}g}", value, digits)));
+  for (const double value : values) list.push_back(rounded(value, digits));
   return list;
 }
 

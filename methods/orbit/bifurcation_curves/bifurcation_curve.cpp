@@ -125,7 +125,7 @@ class BifurcationCurveTracer {
   bool leaves() {
     const Eigen::Index last = x_.size() - 1;
     const ScenePlane& scene = plane_.scene();
-    const ParametrisedScene& first = special_->orbits().family().scene();
+    const ParametrisedScene first = special_->orbits().family().scene();  // locate() takes other families
     const auto end_on = [&](Eigen::Index place, double unit, double low, double high,
                             const std::string& name) {
       const double value = special_->x()[place] * unit;

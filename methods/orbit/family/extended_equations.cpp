@@ -56,6 +56,7 @@ std::unique_ptr<OrbitEquations> ExtendedEquations::evaluated(OrbitModel& model, 
                                                              bool derivatives) const {
   const FlowStructure& structure = model.dynamics.structure();
   const Eigen::Index n = model.dynamics.size();
+  if (2 * n != orbit_.states()) return nullptr;  // a mass has vanished on the way, or appeared
   model.period = orbit_.order * structure.forcing_period;
   const OrbitGuess sequence{.start = {.time = orbit_.section / structure.frequency,
                                       .state = {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)},
@@ -212,6 +213,7 @@ void ExtendedEquations::settle(Eigen::VectorXd& x) {
   if (!closes || !x.allFinite()) return;
   try {
     const auto model = family_.model(x[size()] * family_.units().parameter);
+    if (2 * model->dynamics.size() != orbit_.states()) return;
     if (!model->dynamics.rigid() || model->dynamics.restitution() == 0.0) return;
     orbit_.events = events_of(orbit_, model->dynamics);
     if (const auto phases = event_instants(*model, orbit_, family_.units(), x))

@@ -226,9 +226,13 @@ Eigen::MatrixXd BlockLanczos::gram() const {
     Eigen::Index column = 0;
     for (const Eigen::MatrixXd& right : basis_) {
       if (column > row) break;
-      gram.block(row, column, left.cols(), right.cols()) = transposed_product(left, right);
-      gram.block(column, row, right.cols(), left.cols()) =
-          gram.block(row, column, left.cols(), right.cols()).transpose();
+      const Eigen::MatrixXd part = transposed_product(left, right);
+      if (column == row) {
+        gram.block(row, row, part.rows(), part.rows()) = part.selfadjointView<Eigen::Upper>();
+      } else {
+        gram.block(row, column, part.rows(), part.cols()) = part;
+        gram.block(column, row, part.cols(), part.rows()) = part.transpose();
+      }
       column += right.cols();
     }
     row += left.cols();

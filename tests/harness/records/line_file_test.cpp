@@ -94,6 +94,13 @@ TEST(LockFolder, KeepsOthersOutAsLongAsItIsOpen) {
   EXPECT_NO_THROW((void)lock_folder(folder.path()));
 }
 
+TEST(OpenToAppend, RefusesALink) {
+  const test::TemporaryFolder folder;
+  const auto own = folder.write("own", "precious");
+  std::filesystem::create_symlink(own, folder.path() / "lines");
+  EXPECT_THROW((void)open_to_append(folder.path() / "lines"), UsageError);
+}
+
 TEST(MakeFolder, MakesFoldersAndSaysWhyItCannot) {
   const test::TemporaryFolder folder;
   make_folder(folder.path() / "a/b");

@@ -196,6 +196,19 @@ TEST(StartFromFile, NamesTheFileAndWhatIsWrongWithIt) {
   EXPECT_NE(refusal("{}").find("key 'schema' not found"), std::string::npos) << refusal("{}");
   EXPECT_NE(refusal(to_json(record).dump()).find("must hold a trajectory"), std::string::npos);
   EXPECT_THROW(start_from_file("no-such-file"), UsageError);
+  for (const int bandwidth : {-5, 1000001}) {
+    record = test::full_record();
+    record.trajectory->bandwidth = bandwidth;
+    EXPECT_NE(refusal(to_json(record).dump()).find("trajectory.bandwidth"), std::string::npos) << bandwidth;
+  }
+}
+
+TEST(SampledTrajectory, RefusesNumbersWhoseSquaresOverflow) {
+  const auto source = test::free_motion(test::one_mass());
+  Samples samples = source->sample(16);
+  EXPECT_EQ(samples_defect(samples, 16, 1), "");
+  samples.force(3, 0) = -1e308;
+  EXPECT_NE(samples_defect(samples, 16, 1).find("1e+308"), std::string::npos);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace signorini::words_test {
 namespace {
 
@@ -27,6 +29,14 @@ TEST(Words, AreReplacedOnceFromTheLeft) {
   EXPECT_EQ(replaced("aaa", "aa", "b"), "ba");
   EXPECT_EQ(replaced("abc", "x", "y"), "abc");
   EXPECT_EQ(replaced("", "x", "y"), "");
+}
+
+TEST(Numbers, AreRoundedToTheDigitsThatAreShownWhateverTheirSize) {
+  EXPECT_EQ(rounded(1.23456, 3), 1.23);
+  EXPECT_EQ(rounded(-0.0098765, 2), -0.0099);
+  EXPECT_EQ(rounded(5e-324, 5), 5e-324);  // text of it is read, though it is no normal number
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(rounded(most, 4), most);  // 1.798e308 is none
 }
 
 }  // namespace

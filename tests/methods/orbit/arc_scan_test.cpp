@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include "methods/linear_flow/linear_flow.hpp"
@@ -109,6 +111,20 @@ TEST(NearLimit, KnowsOfAMaximumBetweenSamplesOnALine) {
   EXPECT_NEAR(x[0].value(0.071, 0), 2.1e-4, 1e-5);
   const std::vector<FadingRate> fine{{.rate = 1e3, .until = 1.0}};  // as if there were faster waves, unseen
   EXPECT_EQ(near_limit(x, 0.0, kEnd, fine).size(), 1U);
+}
+
+TEST(NearLimit, EndsOnAnArcThatNoListOfInstantsResolves) {
+  const Problem problem = test::to_problem({.damping = 0.0, .frequency = 1.0});
+  const ContactDynamics dynamics(problem);
+  LinearFlows flows(dynamics);
+  const std::unique_ptr<LinearArc> arc = flows.of({false}).arc();
+  arc->start(0.0, dynamics.at_rest());
+  const std::vector<LimitedOutput> x{
+      {.arc = *arc, .contact = 0, .of_force = false, .offset = 1e3, .unit = 1.0}};
+  const std::vector<FadingRate> endless{{.rate = 1.0, .until = std::numeric_limits<double>::infinity()}};
+  EXPECT_NO_THROW((void)near_limit(x, 0.0, 1e4, endless));
+  EXPECT_THROW((void)near_limit(x, 0.0, 1e9, endless), std::runtime_error);
+  EXPECT_THROW((void)largest(x, 0.0, 1e9, endless), std::runtime_error);
 }
 
 INSTANTIATE_TEST_SUITE_P(ArcScan, OpenBeam, testing::Values(1e-6, 0.003, 0.01, 0.15, 1.0));

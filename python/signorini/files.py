@@ -1,0 +1,28 @@
+"""Files that this package writes."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+from .program import BadInput
+
+NAME = re.compile("[a-z0-9]+(-[a-z0-9]+)*")
+LONGEST_NAME = 64
+
+
+def require_name(name: str) -> None:
+    """Raises BadInput unless the name of a scene or a method is in lower-kebab-case: it becomes the name of a file, and no path."""
+    if not NAME.fullmatch(name) or len(name) > LONGEST_NAME:
+        raise BadInput(f'name = "{name}" (must be a name in lower-kebab-case, such as "sdof-stop", of at most {LONGEST_NAME} characters)')
+
+
+def write_whole(file: Path, text: str, encoding: str = "utf-8") -> None:
+    """In one piece: a reader sees the old text or the new. A link of that name is replaced, and what it leads to is left alone."""
+    draft = file.with_name(file.name + ".new")
+    draft.unlink(missing_ok=True)
+    descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o666)
+    with os.fdopen(descriptor, "w", encoding=encoding) as stream:
+        stream.write(text)
+    os.replace(draft, file)
