@@ -53,16 +53,38 @@ class PreparedExactOrbit final : public PreparedMethod {
       progress_.finder.emplace(problem_);  // anew: the flows that it keeps are part of every cold solve
       search(start);
     } catch (const std::exception& error) {  // a coarse grid that cannot be factorised
-      progress_.tried.emplace_back(error.what());
+      progress_.tried.add(grid_name(first_samples_, 0), error.what());
     }
     return finish();
   }
 
  private:
+  // Attempts that failed, each reason once with the names of those that ended by it.
+  class FailedAttempts {
+   public:
+    void add(const std::string& name, const std::string& reason) {
+      const auto known = std::ranges::find(attempts_, reason, &NamesAndReason::second);
+      if (known == attempts_.end())
+        attempts_.emplace_back(name, reason);
+      else
+        known->first += ", " + name;
+    }
+    [[nodiscard]] std::string text() const {
+      std::string all;
+      for (const auto& [names, reason] : attempts_)
+        all += fmt::format("{}{}: {}", all.empty() ? "" : "; ", names, reason);
+      return all;
+    }
+
+   private:
+    using NamesAndReason = std::pair<std::string, std::string>;
+    std::vector<NamesAndReason> attempts_;
+  };
+
   // What one solve has come to.
   struct Progress {
     std::optional<OrbitFinder> finder = {};
-    std::vector<std::string> tried = {};                // attempts that failed, and why
+    FailedAttempts tried = {};
     std::optional<OrbitSearch> best = {};               // the orbit, or what came nearest to one
     std::string name = {};                              // of the attempt that led there
     std::shared_ptr<const Trajectory> first = nullptr;  // motion found
@@ -114,7 +136,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     const Solution motion = next.motion();
     progress_.work.pivots = progress_.work.pivots.value_or(0) + motion.work.pivots.value_or(0);
     if (!motion.trajectory) {
-      progress_.tried.push_back(next.name + ": " + motion.message);
+      progress_.tried.add(next.name, motion.message);
       return false;
     }
     if (!progress_.first) progress_.first = motion.trajectory;
@@ -123,15 +145,14 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   bool polish(const Trajectory& motion, const std::string& name, const SearchOptions& options) {
     if (options.expired()) {
-      progress_.tried.emplace_back("the time budget is spent");
+      progress_.tried.add(name, "the time budget is spent");
       return true;
     }
     OrbitSearch found = progress_.finder->find(motion, options);
     progress_.work.iterations = progress_.work.iterations.value_or(0) + found.iterations;
     const bool done = found.orbit.certified();
     if (!done) {
-      progress_.tried.push_back(
-          fmt::format("{}: {}, {}", name, describe(found.orbit.outcome), found.orbit.reason));
+      progress_.tried.add(name, fmt::format("{}, {}", describe(found.orbit.outcome), found.orbit.reason));
     }
     std::optional<OrbitSearch>& best = progress_.best;
     if (done || !best || (found.orbit.trajectory && !best->orbit.trajectory)) {
@@ -142,7 +163,7 @@ class PreparedExactOrbit final : public PreparedMethod {
   }
 
   static std::string grid_name(int samples, int cover) {
-    return cover == 0 ? fmt::format("N = {}", samples) : fmt::format("N = {}, cover {}", samples, cover);
+    return cover == 0 ? fmt::format("N = {}", samples) : fmt::format("N = {} (cover {})", samples, cover);
   }
 
   // The coarse problem on N nodes, with the covering vector of that number: the constant one is 0.
@@ -190,7 +211,7 @@ class PreparedExactOrbit final : public PreparedMethod {
   Solution finish() {
     Solution solution{.work = progress_.work};
     if (progress_.finder) solution.work.unknowns = progress_.finder->model()->dynamics.states();
-    solution.message = fmt::format("no exact orbit: {}", fmt::join(progress_.tried, "; "));
+    solution.message = "no exact orbit: " + progress_.tried.text();
     if (!progress_.best) return solution;
     const ExactOrbit& orbit = progress_.best->orbit;
     solution.trajectory = orbit.trajectory;
