@@ -1,6 +1,7 @@
 #include "harness/isolation/child_process.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -20,14 +21,29 @@
 #include <system_error>
 #include <thread>
 
+#include "harness/failure.hpp"
 #include "harness/isolation/one_thread.hpp"
 
 namespace signorini {
 
 namespace {
 
-[[noreturn]] void throw_errno(const char* call) {
-  throw std::system_error(errno, std::generic_category(), call);
+// Short of processes, descriptors or memory: no fault of this program, and nothing to report.
+[[noreturn]] void refuse_surroundings(const char* wanted) {
+  throw UsageError(fmt::format("machine = full (must allow {}: {})", wanted,
+                               std::error_code(errno, std::generic_category()).message()));
+}
+
+// Where there are too many processes, some are about to end.
+pid_t fork_patiently() {
+  constexpr int kTries = 40;
+  constexpr std::chrono::milliseconds kPause(50);
+  pid_t id = fork();
+  for (int i = 0; id < 0 && errno == EAGAIN && i < kTries; ++i) {
+    std::this_thread::sleep_for(kPause);
+    id = fork();
+  }
+  return id;
 }
 
 /// Closes every descriptor above stderr except `kept`: a child that kept the parent's locked files open would
@@ -96,7 +112,7 @@ void prepare_child(pid_t parent, const StandardStreams& streams, int kept) {
 
 Pipe make_pipe() {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_errno("pipe");
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse_surroundings("another pipe");
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
@@ -127,8 +143,8 @@ ChildProcess::Side ChildProcess::fork_process(const StandardStreams& streams, in
   compute_on_one_thread();  // a test or a plugin may have set another number
   const pid_t parent = getpid();
   const double used = Deadline::processor_now();
-  id_ = fork();
-  if (id_ < 0) throw_errno("fork");
+  id_ = fork_patiently();
+  if (id_ < 0) refuse_surroundings("another process");
   if (id_ == 0) {
     Deadline::go_on_from(used);
     prepare_child(parent, streams, kept);
@@ -145,7 +161,8 @@ ChildProcess::~ChildProcess() {
 
 bool ChildProcess::has_ended() const {
   siginfo_t info{};
-  return waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id_;
+  if (waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return errno == ECHILD;
+  return info.si_pid == id_;
 }
 
 ChildTimes ChildProcess::times() const { return times_of(id_); }

@@ -59,12 +59,17 @@ std::vector<ExpectedFailure> read_expected(const SceneField& field) {
   return expected;
 }
 
-std::vector<SuiteResponse> responses_of_suite(const SceneField& field) {
+// A scene as a suite names it: a file by its path from the folder of the suite.
+std::string scene_of_suite(std::string word, const fs::path& folder) {
+  return looks_like_path(word) ? (folder / word).string() : word;
+}
+
+std::vector<SuiteResponse> responses_of_suite(const SceneField& field, const fs::path& folder) {
   std::vector<SuiteResponse> responses;
   if (!field.given()) return responses;
   for (const SceneField& item : field.items("must be tables with scene, from and to")) {
     item.allow_only({"scene", "from", "to", "orders"}, "must be a table with scene, from, to and orders");
-    SuiteResponse response{.scene = item["scene"].text("must be a scene"),
+    SuiteResponse response{.scene = scene_of_suite(item["scene"].text("must be a scene"), folder),
                            .from = item["from"].number("must be a positive frequency", 0.0),
                            .to = item["to"].number("must be a positive frequency", 0.0),
                            .orders = item["orders"].whole_or(2, "must be a whole number in 1..12", 1, 12)};
@@ -89,18 +94,17 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   root.allow_only({"schema", "name", "title", "scenes", "tags", "without_tags", "methods", "limits",
                    "expected_failure", "response", "by_steps"},
                   "must be a table");
+  const fs::path folder = fs::path(file).parent_path();
   Suite suite;
   suite.name = root["name"].text("must be a name in lower-kebab-case");
   if (!is_lower_kebab_case(suite.name)) root["name"].refuse("must be a name in lower-kebab-case");
   suite.title = root["title"].text("must be one line of text");
   for (std::string& word : texts(root["scenes"], "must be a list of globs on scene names, and scene files")) {
-    const bool is_path = looks_like_path(word);
-    (is_path ? suite.files : suite.scenes)
-        .push_back(is_path ? (fs::path(file).parent_path() / word).string() : std::move(word));
+    (looks_like_path(word) ? suite.files : suite.scenes).push_back(scene_of_suite(std::move(word), folder));
   }
   suite.tags = texts(root["tags"], "must be a list of tags");
   suite.without_tags = texts(root["without_tags"], "must be a list of tags");
-  suite.responses = responses_of_suite(root["response"]);
+  suite.responses = responses_of_suite(root["response"], folder);
   suite.by_steps = texts(root["by_steps"], "must be a list of name[key=value|value]");
   if (suite.responses.empty() && suite.scenes.empty() && suite.files.empty() && suite.tags.empty()) {
     root["scenes"].refuse("must be a list of globs on scene names, and scene files, unless tags are given");

@@ -172,13 +172,15 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
     if (amplitudes)
       draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}", mark,
                                                gnuplot_string(describe(kind))));
+  const auto asked = responses.empty() ? std::nullopt : responses.front().asked;
+  const std::string axis = asked ? fmt::format("set xrange [{:.10g}:{:.10g}]\n", asked->low, asked->high) : "";
   constexpr double kUsualWidth = 16.0, kUsualPanel = 9.2, kNarrowPanel = 6.0, kAxis = 1.3;  // [cm]
   const int columns = is_narrow(column) ? 1 : 3;
   const double panel = is_narrow(column) ? kNarrowPanel : kUsualPanel;
   const double key = key_height(entries, columns), height = panel + kAxis + key;
   return {.name = "response",
           .caption = "Response of " + scene,
-          .script = fmt::format(kResponseFrame, columns) +
+          .script = fmt::format(kResponseFrame, columns) + axis +
                     fmt::format("set bmargin at screen {:.3f}\nset ylabel {}\nset xlabel {} "
                                 "noenhanced\nset title {} noenhanced\n{}",
                                 (kAxis + key) / height,

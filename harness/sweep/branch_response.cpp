@@ -146,12 +146,46 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
   return found;
 }
 
+std::vector<ParameterRange> uncovered(const std::vector<Branch>& branches, double from, double to) {
+  constexpr double kNarrow = 1e-6;  // of the interval
+  const double low = std::min(from, to), high = std::max(from, to), narrow = kNarrow * (high - low);
+  std::vector<ParameterRange> held;
+  for (const Branch& branch : branches) {
+    if (branch.points.empty()) continue;
+    const auto [least, largest] = std::ranges::minmax_element(branch.points, {}, &SolutionPoint::parameter);
+    held.push_back({least->parameter, largest->parameter});
+  }
+  std::ranges::sort(held, {}, &ParameterRange::low);
+  held.push_back({high, high});
+  std::vector<ParameterRange> gaps;
+  double reached = low;
+  for (const ParameterRange& range : held) {
+    if (range.low - reached > narrow) gaps.push_back({reached, std::min(range.low, high)});
+    reached = std::max(reached, range.high);
+  }
+  return gaps;
+}
+
+std::string incompleteness(const MethodResponse& response) {
+  if (response.missing.empty()) return {};
+  std::string parts;
+  for (const ParameterRange& part : response.missing)
+    parts += fmt::format("{}from {:.6g} to {:.6g}", parts.empty() ? "" : ", ", part.low, part.high);
+  const std::string& reason = response.diagram.unfinished;
+  const char* const option = reason.starts_with("limit of") ? " (--max-branches goes on)"
+                             : reason == "the time is up"   ? " (--total-time goes on)"
+                             : reason.empty()               ? " (--search looks for more beginnings)"
+                                                            : "";
+  return fmt::format("{}: INCOMPLETE: no motion {}: {}{}", name_with_law(response), parts,
+                     reason.empty() ? "no branch that was found goes there" : reason, option);
+}
+
 std::string name_with_law(const MethodResponse& response) {
   return response.method + (response.other_law.empty() ? "" : ", " + response.other_law);
 }
 
 Json to_json(const std::vector<MethodResponse>& responses) {
-  Json branches = Json::array(), notes = Json::array();
+  Json branches = Json::array(), notes = Json::array(), incomplete = Json::array();
   std::string unfinished, parameter(kFrequency);
   for (const MethodResponse& response : responses) {
     for (const Branch& branch : response.diagram.branches)
@@ -160,8 +194,17 @@ Json to_json(const std::vector<MethodResponse>& responses) {
     if (!response.steps.empty()) branches.push_back(steps_json(response));
     if (unfinished.empty()) unfinished = response.diagram.unfinished;
     parameter = response.parameter;
+    for (const ParameterRange& part : response.missing)
+      incomplete.push_back({{"method", response.method},
+                            {"from", part.low},
+                            {"to", part.high},
+                            {"reason", response.diagram.unfinished}});
   }
-  return {{"parameter", parameter}, {"branches", branches}, {"unfinished", unfinished}, {"notes", notes}};
+  return {{"parameter", parameter},
+          {"branches", branches},
+          {"unfinished", unfinished},
+          {"notes", notes},
+          {"incomplete", incomplete}};
 }
 
 Branch points_at(const Branch& branch, const std::vector<double>& values) {

@@ -42,6 +42,16 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
 /// The points of a branch where the parameter has one of several values; special points and ends stay.
 Branch points_at(const Branch& branch, const std::vector<double>& values);
 
+/// Values of the parameter, low < high.
+struct ParameterRange {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Parts of an interval at which no branch has a motion, rising; those narrower than 1e-6 of it are none. Neighbouring points of a
+/// branch are taken to be joined. \param from, to  ends of the interval, in either order
+std::vector<ParameterRange> uncovered(const std::vector<Branch>& branches, double from, double to);
+
 /// What one method makes of a response: its branches, or the points of its steps.
 struct MethodResponse {
   std::string method;                               ///< label of the choice
@@ -52,12 +62,17 @@ struct MethodResponse {
   std::string parameter = std::string(kFrequency);  ///< of the branches
   bool at_values = false;                           ///< the branches hold points_at values only
   std::string failure = {};                         ///< of a process that ended early
+  std::optional<ParameterRange> asked = {};         ///< the interval
+  std::vector<ParameterRange> missing = {};         ///< `uncovered` of it, of branches by arc length
 };
 
 /// "aft-hbm", or with the law that the method represents where that is not the scene's, "aft-hbm, e = 1".
 std::string name_with_law(const MethodResponse& response);
 
-/// {"parameter", "branches", "unfinished", "notes"}, branches as to_json of a Branch has them. Points of
+/// "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)"; empty where nothing is missing
+std::string incompleteness(const MethodResponse& response);
+
+/// {"parameter", "branches", "unfinished", "notes", "incomplete"}, branches as to_json of a Branch has them. Points of
 /// natural steps are {"omega", "order", "amplitude", "x_max", "status", "stable"}.
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 

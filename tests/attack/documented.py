@@ -124,6 +124,7 @@ def crashed(program, _random, count, folder, findings):
     campaign.judge(list(bandwidth_of_a_start(program, campaign, folder)), "a start with a bandwidth of 1e9")
     campaign.judge(list(memory_that_runs_out(program, campaign, folder)), "a command that prints a line without end")
     campaign.judge(list(children_ignored(program, campaign, folder)), "SIGCHLD ignored by the parent")
+    campaign.judge(list(no_processes(program, campaign, folder)), "no further process allowed")
     campaign.judge(list(time_without_end(program, campaign, folder)), "run --timeout 1e10")
     yield campaign
 
@@ -187,6 +188,14 @@ def children_ignored(program, campaign, folder):
         signal.signal(signal.SIGCHLD, before)
     outcome = campaign.count(program.finish(process, 20.0))
     yield from program.violations(outcome, codes=(0,))
+
+
+def no_processes(program, campaign, folder):
+    """Of somebody without the right to another process: root has no such limit, so that it is left out there."""
+    if os.geteuid() == 0:
+        return
+    outcome = campaign.count(program.run(["solve", "sdof-stop", "--method", "hat-lcp"], folder, before=("prlimit", "--nproc=1:1")))
+    yield from program.violations(outcome, codes=(2,))
 
 
 def time_without_end(program, campaign, folder):

@@ -58,14 +58,15 @@ class DiagramTracer {
       : family_(family), limits_(limits), queue_(limits) {}
 
   OrbitDiagram run(const std::vector<SequencedOrbit>& seeds) {
+    // The interval first: what begins on the way may be a cascade that has no end.
     for (const SequencedOrbit& seed : seeds) {
       if (queue_.is_over()) break;
       add_seed(seed);
-      while (auto start = queue_.next()) {
-        if (start->leaves != LeftBranch::crossing && is_an_end(*start)) continue;
-        if (queue_.is_full()) break;
-        follow(*start);
-      }
+    }
+    while (auto start = queue_.next()) {
+      if (start->leaves != LeftBranch::crossing && is_an_end(*start)) continue;
+      if (queue_.is_full()) break;
+      follow(*start);
     }
     if (too_long_ > 0)
       note(fmt::format("{} period doublings lead to orders above {}", too_long_, limits_.max_order));
@@ -155,10 +156,21 @@ class DiagramTracer {
     for (const std::string& undecided : curve.notes) note(undecided);
     queue_.keep(curve.branch);
     end_here(start.orbit);
-    leave(curve);
+    leave(curve, start.share);
   }
 
-  void double_period(const SequencedOrbit& orbit) {
+  // Of the interval.
+  [[nodiscard]] double share_of(const OrbitBranch& branch) const {
+    const auto [least, largest] = std::ranges::minmax_element(branch.points, {}, &SolutionPoint::parameter);
+    return (largest->parameter - least->parameter) / (family_.scene().high() - family_.scene().low());
+  }
+
+  void add(CurveStart start, double share) {
+    start.share = share;
+    queue_.add(std::move(start));
+  }
+
+  void double_period(const SequencedOrbit& orbit, double share) {
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x)) return;
     const OrbitMark mark = mark_of(equations);
@@ -168,44 +180,47 @@ class DiagramTracer {
       ++too_long_;
       return;
     }
-    if (auto start = start_doubled(family_, orbit)) queue_.add(std::move(*start));
+    if (auto start = start_doubled(family_, orbit)) add(std::move(*start), share);
   }
 
-  // Queues what begins at the doublings and at the end of a branch.
-  void leave(const TracedCurve& curve) {
-    for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit);
-    for (const auto& [orbit, across] : curve.crossings) cross(orbit, across);
+  // Queues what begins at the doublings and at the end of a branch. A change of the sequence goes on with the curve, which holds
+  // what was `held` before it, too.
+  void leave(const TracedCurve& curve, double held = 0.0) {
+    const double share = share_of(curve.branch);
+    for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit, share);
+    for (const auto& [orbit, across] : curve.crossings) cross(orbit, across, share);
     if (curve.meets_half_period) end_here(curve.last);
     if (!curve.guard) return;
     ExtendedEquations equations(family_, curve.last);
     if (!equations.evaluate(curve.last.x)) return;
     const OrbitMark end = mark_of(equations);
     ends_.push_back(end);
-    if (equations.model().dynamics.rigid() && is_grazing(*curve.guard, curve.last)) return graze(curve, end);
+    if (equations.model().dynamics.rigid() && is_grazing(*curve.guard, curve.last))
+      return graze(curve, end, share);
     if (contains(changed_, end)) return;
     changed_.push_back(end);
     ChangeOfSequence change = past_change(family_, curve);
     if (!change.start) return note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
-    queue_.add(std::move(*change.start));
+    add(std::move(*change.start), std::max(share, held));
   }
 
-  void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across) {
+  void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across, double share) {
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x)) return;
     const OrbitMark mark = mark_of(equations);
     if (contains(crossed_, mark, true)) return;
     crossed_.push_back(mark);
-    for (CurveStart& start : start_crossing(family_, orbit, across)) queue_.add(std::move(start));
+    for (CurveStart& start : start_crossing(family_, orbit, across)) add(std::move(start), share);
   }
 
-  void graze(const TracedCurve& curve, const OrbitMark& end) {
+  void graze(const TracedCurve& curve, const OrbitMark& end, double share) {
     const auto grazing = grazing_orbit(family_, curve);
     if (!grazing) return note("a grazing orbit cannot be evaluated");
     if (contains(grazings_, grazing->mark)) return;
     grazings_.push_back(grazing->mark);
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
     if (!end.same(grazing->mark)) {
-      if (auto start = start_clear(family_, *grazing)) queue_.add(std::move(*start));
+      if (auto start = start_clear(family_, *grazing)) add(std::move(*start), share);
     }
     if (!grazing->obstacle.empty())
       return note(fmt::format("{}: {}; not followed", where, grazing->obstacle));
@@ -217,7 +232,7 @@ class DiagramTracer {
         note(fmt::format("{}: more than {} events in a period; not followed", where, kMostEvents));
         continue;
       }
-      queue_.add(std::move(start));
+      add(std::move(start), share);
     }
   }
 
