@@ -22,6 +22,7 @@ enum ExitCode : int {
   kNothingMatched = 3,
   kRegression = 4,
   kInternalError = 5,
+  kIncomplete = 6,  ///< a response that does not cover its interval
   kInterrupted = 130
 };
 

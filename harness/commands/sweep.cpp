@@ -140,7 +140,15 @@ MethodResponse blank_response(const SweepArguments& arguments, const Scene& scen
           .other_law = law_remark_of(scene, method),
           .order = scene.problem.subharmonic,
           .parameter = arguments.parameter,
-          .at_values = !arguments.range.at.empty()};
+          .at_values = !arguments.range.at.empty(),
+          .asked = ParameterRange{.low = std::min(arguments.range.from, arguments.range.to),
+                                  .high = std::max(arguments.range.from, arguments.range.to)}};
+}
+
+// What branches by arc length leave out of the interval.
+void take_missing(const SweepArguments& arguments, MethodResponse& response) {
+  if (!response.diagram.branches.empty() && !response.at_values)
+    response.missing = uncovered(response.diagram.branches, arguments.range.from, arguments.range.to);
 }
 
 // Prints what a folder has kept as it would have come.
@@ -187,6 +195,7 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
   }
   response.diagram = std::move(own->diagram);
   response.failure = std::move(own->failure);
+  take_missing(arguments, response);
   for (Branch& branch : response.diagram.branches) {
     if (!values.empty()) branch = points_at(branch, values);
   }
@@ -202,7 +211,11 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
   if (arguments.format == "text") fmt::print("{}", sweep_text(responses));
   for (const MethodResponse& response : responses) {
     for (const std::string& note : response.diagram.notes) fmt::print(stderr, "{}\n", note);
-    if (!response.diagram.unfinished.empty()) fmt::print(stderr, "{}\n", response.diagram.unfinished);
+    const std::string missing = incompleteness(response);
+    if (!missing.empty())
+      fmt::print(stderr, "{}\n", missing);
+    else if (!response.diagram.unfinished.empty())
+      fmt::print(stderr, "{}\n", response.diagram.unfinished);
   }
 }
 
@@ -215,6 +228,7 @@ MethodResponse kept_or_computed(const SweepArguments& arguments, const Scene& sc
     MethodResponse response = blank_response(arguments, scene, method);
     response.diagram = std::move(kept->diagram);
     response.steps = std::move(kept->steps);
+    take_missing(arguments, response);
     replay(response, stream);
     return response;
   }
@@ -262,7 +276,9 @@ int sweep_branches(const SweepArguments& arguments) {
     tell_interrupted(arguments);
     return kInterrupted;
   }
-  return all ? kDone : kUnexpectedFailure;
+  if (!all) return kUnexpectedFailure;
+  const bool complete = std::ranges::all_of(responses, [](const MethodResponse& one) { return one.missing.empty(); });
+  return complete ? kDone : kIncomplete;
 }
 
 // In a process of its own: what is printed of special points over the frequency and a second number.

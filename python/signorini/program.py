@@ -15,7 +15,7 @@ PACKAGE_PARENT = Path(__file__).resolve().parents[1]
 SERVING = "SIGNORINI_SERVING"  # set in a process that runs a method for the program
 GRACE = 5.0  # [s] for the program to end by itself after an interrupt
 
-DONE, FAILED, BAD_INPUT, NO_MATCH, INTERRUPTED = 0, 1, 2, 3, 130  # exit codes
+DONE, FAILED, BAD_INPUT, NO_MATCH, INCOMPLETE, INTERRUPTED = 0, 1, 2, 3, 6, 130  # exit codes
 
 
 class SignoriniError(RuntimeError):

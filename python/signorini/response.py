@@ -83,6 +83,7 @@ class Response:
     points: of each branch, as the program gives them, messages included.
     notes: what was met and not followed.
     other_law: the law that the method represents where it is not the scene's, as "e = 1"; else empty.
+    incomplete: of `Scene.branches` the parts of the interval where no branch has a motion, (from, to) [rad/s].
     """
 
     scene: Scene = field(repr=False)
@@ -91,6 +92,7 @@ class Response:
     points: Sequence[Sequence[Mapping]] = field(repr=False)
     notes: Sequence[str] = ()
     other_law: str = ""
+    incomplete: Sequence[tuple[float, float]] = ()
 
     @classmethod
     def from_steps(cls, scene: Scene, method: str, steps: Sequence[Mapping]) -> Response:
@@ -101,7 +103,8 @@ class Response:
     def from_branches(cls, scene: Scene, method: str, answer: Mapping) -> Response:
         notes = [*answer["notes"], *filter(None, [answer["unfinished"]])]
         points = [branch["points"] for branch in answer["branches"]]
-        return cls(scene, method, tuple(Branch.of(branch["points"], branch) for branch in answer["branches"]), points, notes)
+        return cls(scene, method, tuple(Branch.of(branch["points"], branch) for branch in answer["branches"]), points, notes,
+                   incomplete=tuple((part["from"], part["to"]) for part in answer.get("incomplete", ())))
 
     @property
     def converged(self) -> bool:

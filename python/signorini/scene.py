@@ -156,7 +156,7 @@ class Scene:
             words = ["sweep", self._source, *method_words(method, options, folder, "--methods"), "--from", repr(float(start)),
                      "--to", repr(float(stop)), "--max-order", str(orders), "--max-branches", str(most), "--search", str(search),
                      "--total-time", str(timeout), "--format", "json", *(["--hz"] if hz else [])]
-            answer = json.loads(program.run(words, (program.DONE, program.FAILED)))
+            answer = json.loads(program.run(words, (program.DONE, program.FAILED, program.INCOMPLETE)))
         return Response.from_branches(self, method_name(method), answer)
 
     def __repr__(self) -> str:
