@@ -147,23 +147,10 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
 }
 
 std::vector<ParameterRange> uncovered(const std::vector<Branch>& branches, double from, double to) {
-  constexpr double kNarrow = 1e-6;  // of the interval
-  const double low = std::min(from, to), high = std::max(from, to), narrow = kNarrow * (high - low);
   std::vector<ParameterRange> held;
-  for (const Branch& branch : branches) {
-    if (branch.points.empty()) continue;
-    const auto [least, largest] = std::ranges::minmax_element(branch.points, {}, &SolutionPoint::parameter);
-    held.push_back({least->parameter, largest->parameter});
-  }
-  std::ranges::sort(held, {}, &ParameterRange::low);
-  held.push_back({high, high});
-  std::vector<ParameterRange> gaps;
-  double reached = low;
-  for (const ParameterRange& range : held) {
-    if (range.low - reached > narrow) gaps.push_back({reached, std::min(range.low, high)});
-    reached = std::max(reached, range.high);
-  }
-  return gaps;
+  for (const Branch& branch : branches)
+    if (!branch.points.empty()) held.push_back(range_of(branch));
+  return uncovered(std::move(held), from, to);
 }
 
 std::string incompleteness(const MethodResponse& response) {

@@ -9,6 +9,7 @@
 
 #include "harness/sweep/frequency_response.hpp"
 #include "harness/table.hpp"
+#include "methods/continuation/interval_gaps.hpp"
 #include "methods/curve.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -42,14 +43,8 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
 /// The points of a branch where the parameter has one of several values; special points and ends stay.
 Branch points_at(const Branch& branch, const std::vector<double>& values);
 
-/// Values of the parameter, low < high.
-struct ParameterRange {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/// Parts of an interval at which no branch has a motion, rising; those narrower than 1e-6 of it are none. Neighbouring points of a
-/// branch are taken to be joined. \param from, to  ends of the interval, in either order
+/// Parts of an interval at which no branch has a motion, as `uncovered` of ranges. Neighbouring points of a branch are taken to be
+/// joined. \param from, to  ends of the interval, in either order
 std::vector<ParameterRange> uncovered(const std::vector<Branch>& branches, double from, double to);
 
 /// What one method makes of a response: its branches, or the points of its steps.

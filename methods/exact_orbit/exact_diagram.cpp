@@ -39,6 +39,13 @@ class Beginnings {
     return std::move(orbits_);
   }
 
+  /// What the method answers at a value of the parameter.
+  std::vector<SequencedOrbit> answers_at(double parameter) {
+    orbits_.clear();
+    if (family_.driven()) add_answer(parameter);
+    return std::move(orbits_);
+  }
+
   /// Why `find` has found none.
   [[nodiscard]] std::string reason() const {
     if (!family_.driven()) return "no free motion was found to begin from, and the load does not vary";
@@ -123,7 +130,8 @@ class Beginnings {
 OrbitDiagram exact_diagram(const ParametrisedScene& scene, const Method& method, const CurveLimits& limits) {
   OrbitFamily family(scene);
   Beginnings beginnings(family, method, limits);
-  OrbitDiagram diagram = trace_diagram(family, beginnings.find(), limits);
+  OrbitDiagram diagram = trace_diagram(family, beginnings.find(), limits,
+                                       [&](double parameter) { return beginnings.answers_at(parameter); });
   if (diagram.branches.empty() && diagram.unfinished.empty()) diagram.unfinished = beginnings.reason();
   return diagram;
 }

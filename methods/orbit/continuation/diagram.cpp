@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "methods/continuation/curve_queue.hpp"
+#include "methods/continuation/interval_gaps.hpp"
 #include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/contact_changes.hpp"
 #include "methods/orbit/continuation/station.hpp"
@@ -57,12 +58,13 @@ class DiagramTracer {
   DiagramTracer(OrbitFamily& family, const CurveLimits& limits)
       : family_(family), limits_(limits), queue_(limits) {}
 
-  OrbitDiagram run(const std::vector<SequencedOrbit>& seeds) {
+  OrbitDiagram run(const std::vector<SequencedOrbit>& seeds, const OrbitsAt& more) {
     // The interval first: what begins on the way may be a cascade that has no end.
     for (const SequencedOrbit& seed : seeds) {
       if (queue_.is_over()) break;
       add_seed(seed);
     }
+    if (more) fill(more);
     while (auto start = queue_.next()) {
       if (start->leaves != LeftBranch::crossing && is_an_end(*start)) continue;
       if (queue_.is_full()) break;
@@ -75,6 +77,25 @@ class DiagramTracer {
 
  private:
   void note(const std::string& text) { queue_.note(text); }
+
+  // Looks for orbits in what the branches so far leave out of the interval.
+  void fill(const OrbitsAt& more) {
+    constexpr int kMostTries = 8;
+    constexpr double kWide = 0.002, kInside = 0.47;  // of the interval, and of a gap: nothing special is there
+    const ParametrisedScene& scene = family_.scene();
+    std::vector<ParameterRange> held;  // and where nothing was found
+    std::size_t known = 0;
+    for (int i = 0; i < kMostTries && !queue_.is_over(); ++i) {
+      for (; known < queue_.branches().size(); ++known) held.push_back(range_of(queue_.branches()[known]));
+      const std::vector<ParameterRange> gaps = uncovered(held, scene.from, scene.to);
+      const auto width = [](const ParameterRange& gap) { return gap.high - gap.low; };
+      const auto widest = std::ranges::max_element(gaps, {}, width);
+      if (widest == gaps.end() || width(*widest) < kWide * (scene.high() - scene.low())) return;
+      const double value = widest->low + kInside * width(*widest);
+      for (const SequencedOrbit& orbit : more(value)) add_seed(orbit);
+      held.push_back({value, value + 1e-3 * width(*widest)});
+    }
+  }
 
   void add_seed(const SequencedOrbit& seed) {
     ExtendedEquations given(family_, seed);
@@ -246,8 +267,8 @@ class DiagramTracer {
 }  // namespace
 
 OrbitDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
-                           const CurveLimits& limits) {
-  return DiagramTracer(family, limits).run(seeds);
+                           const CurveLimits& limits, const OrbitsAt& more) {
+  return DiagramTracer(family, limits).run(seeds, more);
 }
 
 }  // namespace signorini

@@ -1,11 +1,15 @@
 #pragma once
 // All branches that hang together with given orbits.
 
+#include <functional>
 #include <vector>
 
 #include "methods/orbit/continuation/curve.hpp"
 
 namespace signorini {
+
+/// Orbits at a value of the parameter.
+using OrbitsAt = std::function<std::vector<SequencedOrbit>(double parameter)>;
 
 /// Follows the curves through given orbits both ways, and all that leave them, until every end is an end of
 /// the interval or one where another branch ends or a reason stands:
@@ -17,7 +21,9 @@ namespace signorini {
 /// Given orbits that do not hold the contact conditions, or lie on a branch that has been traced, are left
 /// out. Orbits of smaller periods first. What a limit leaves undone is said in `unfinished`, what is met and
 /// not followed in `notes`: it is an end of its branch all the same.
+/// \param more  asked for orbits at values of the parameter where the branches from `seeds` leave more than 1/500 of the interval
+///              out, the widest gap first, eight times at most
 OrbitDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
-                           const CurveLimits& limits);
+                           const CurveLimits& limits, const OrbitsAt& more = {});
 
 }  // namespace signorini

@@ -239,26 +239,6 @@ TEST(ExactBranches, OfRandomScenesAreTheirOrbits) {
   EXPECT_GT(compared, 1000);
 }
 
-Branch between(std::initializer_list<double> values) {
-  Branch branch;
-  for (const double value : values) branch.points.push_back({.parameter = value});
-  return branch;
-}
-
-TEST(Uncovered, AreThePartsOfTheIntervalThatNoBranchReaches) {
-  const std::vector<Branch> branches{between({2.0, 2.5, 2.2}), between({1.0, 1.4}), between({2.4, 3.0, 2.8})};
-  const std::vector<ParameterRange> up = uncovered(branches, 1.0, 4.0);
-  ASSERT_EQ(up.size(), 2U);
-  EXPECT_EQ(up[0].low, 1.4);
-  EXPECT_EQ(up[0].high, 2.0);
-  EXPECT_EQ(up[1].low, 3.0);
-  EXPECT_EQ(up[1].high, 4.0);
-  EXPECT_EQ(uncovered(branches, 4.0, 1.0).size(), 2U);
-  EXPECT_TRUE(uncovered({between({0.5, 9.0})}, 1.0, 4.0).empty());
-  EXPECT_TRUE(uncovered({between({1.0, 2.0}), between({2.0 + 1e-7, 4.0})}, 1.0, 4.0).empty());
-  EXPECT_EQ(uncovered({}, 1.0, 4.0).size(), 1U);
-}
-
 TEST(Incompleteness, SaysWhatIsMissingAndWhatGoesOn) {
   MethodResponse response{.method = "exact-orbit"};
   EXPECT_EQ(incompleteness(response), "");
