@@ -80,8 +80,8 @@ class DiagramTracer {
 
   // Looks for orbits in what the branches so far leave out of the interval.
   void fill(const OrbitsAt& more) {
-    constexpr int kMostTries = 8;
-    constexpr double kWide = 0.002, kInside = 0.47;  // of the interval, and of a gap: nothing special is there
+    constexpr int kMostTries = 4;
+    constexpr double kWide = 0.01, kInside = 0.47;  // of the interval, and of a gap: nothing special is there
     const ParametrisedScene& scene = family_.scene();
     std::vector<ParameterRange> held;  // and where nothing was found
     std::size_t known = 0;
