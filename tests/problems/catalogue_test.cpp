@@ -107,6 +107,7 @@ TEST(Catalogue, TagsSayWhatTheSceneIs) {
     EXPECT_TRUE(scene.size() <= 1000 && scene.contacts.size() <= 30) << "or tag it large";
     EXPECT_EQ(has_tag(scene, "penalty"), std::holds_alternative<Penalty>(scene.law()));
     EXPECT_EQ(has_tag(scene, "massless"), std::holds_alternative<Massless>(scene.law()));
+    EXPECT_EQ(has_tag(scene, "mixed-laws"), std::holds_alternative<MixedLaws>(scene.law()));
     EXPECT_EQ(has_tag(scene, "subharmonic"), scene.subharmonic > 1);
     const auto any_gap = [&](auto holds) {
       return std::any_of(scene.contacts.begin(), scene.contacts.end(),
@@ -139,6 +140,7 @@ TEST(Catalogue, CoversLawsAndRestitutions) {
       << "the only law that the Fourier methods represent";
   EXPECT_GE(count([](const Problem& scene) { return has_tag(scene, "penalty"); }), 2);
   EXPECT_GE(count([](const Problem& scene) { return has_tag(scene, "massless"); }), 1);
+  EXPECT_GE(count([](const Problem& scene) { return has_tag(scene, "mixed-laws"); }), 1);
   EXPECT_GE(count([](const Problem& scene) { return has_tag(scene, "contact-free"); }), 1);
   EXPECT_GE(count([](const Problem& scene) { return has_tag(scene, "open"); }), 1);
 }
