@@ -180,6 +180,44 @@ def chain_or_beam(random, number):
                       [(size - 1, 1.0, random.uniform(0.2, 1.2))], law)
 
 
+def loose_or_mixed(random, number):
+    """Parts that no spring holds, stops between two bodies, and contacts of different laws: a mass between two stops, a gear pair,
+    a body on a table that shakes, two laws on a chain, an impact damper, a free mass between two sprung ones."""
+    kind, frequency = number % 6, random.uniform(0.5, 2.5)
+    rigid = lambda: f"restitution = {random.choice([0.0, 0.3, 0.5, 0.7, 0.8, 0.9])}"
+    spring = lambda: f"penalty = {log_uniform(random, 2.0, 1e3):.6g}"
+    same = random.choice([rigid, spring])()
+    either = lambda: [(same, same), (rigid(), spring()), (rigid(), rigid())][number // 6 % 3]
+    masses, dampers, springs = ([random.uniform(0.5, 2.0) for _ in range(3)], [log_uniform(random, 0.05, 0.4) for _ in range(3)],
+                                [random.uniform(0.8, 1.5) for _ in range(3)])
+    terms, gaps, laws = [(0, 1, 1.0, 0.0)], [random.uniform(0.05, 0.8) for _ in range(2)], either()
+    between = lambda i, j: f"[[{i}, 1.0], [{j}, -1.0]]"
+    size, places = 2, (between(0, 1), between(1, 0))
+    if kind == 0:
+        size, springs[0], places = 1, 0.0, ("[[0, 1.0]]", "[[0, -1.0]]")
+    elif kind == 1:  # a mean torque through the teeth
+        torque, springs = random.uniform(0.1, 0.6), [0.0, 0.0]
+        terms = [(0, 0, torque, 0.0), (1, 0, -torque, 0.0), (0, 1, 0.6, 0.2)]
+    elif kind == 2:
+        size, springs[0], places = 1, 0.0, ("[[0, 1.0]]",)
+        terms = [(0, 0, random.uniform(0.3, 1.5), 0.0), (0, 1, 1.0, 0.0)]
+    elif kind == 3:
+        size, places = random.randint(2, 3), ("[[1, 1.0]]", random.choice(["[[1, -1.0]]", "[[0, 1.0]]", between(0, 1)]))
+        laws = random.choice([(rigid(), spring()), (rigid(), rigid())])
+    elif kind == 4:
+        masses[1], springs[1] = random.uniform(0.05, 0.3), 0.0
+    else:
+        size, springs[1:], dampers[1:], places = 3, [0.0, 0.0], [0.0, 0.0], (between(0, 1), between(1, 2))
+    rows = {"masses": masses, "dampers": dampers, "springs": springs,
+            "ground_springs": [0.0, 0.0, 1.2 if kind == 5 else 0.0],  # the one in the middle is free
+            "ground_dampers": [0.0, 0.1, 0.1] if kind in (1, 5) else [0.0] * 3}
+    system = 'kind = "chain"' + "".join(f"\n{key} = {[round(value, 5) for value in row[:size]]}" for key, row in rows.items())
+    text = scene_text(f"loose-{number:03}", system, frequency, terms, [], None)
+    for place, gap, law in zip(places, gaps, laws):
+        text += f"[[contact]]\nnormal = {place}\ngap = {gap:.6g}\n{law}\n"
+    return text
+
+
 def one_mass(mass=1.0, damping=0.1, stiffness=1.0, frequency=2.2, force="dof = 0\ncos = 1.0\n", gaps=(0.2,),
              law="restitution = 1.0", more=""):
     contacts = "".join(f"[[contact]]\ndof = 0\ngap = {gap}\n" for gap in gaps)

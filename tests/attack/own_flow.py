@@ -15,15 +15,15 @@ def matrices(system):
     if system["kind"] == "sdof":
         return (np.array([[float(system[key])]]) for key in ("mass", "damping", "stiffness"))
     if system["kind"] == "chain":
-        return np.diag(system["masses"]), *(chained(system[key]) for key in ("dampers", "springs"))
+        return np.diag(system["masses"]), *(chained(system[key], system.get(f"ground_{key}")) for key in ("dampers", "springs"))
     if system["kind"] == "beam":
         return beam(system)
     raise ValueError(system["kind"])
 
 
-def chained(links):
-    """Of the link from each mass to the one before it, the first to the ground."""
-    result = np.zeros((len(links), len(links)))
+def chained(links, ground=None):
+    """Of the link from each mass to the one before it, the first to the ground, and from each to the ground."""
+    result = np.diag(np.array(ground, dtype=float)) if ground else np.zeros((len(links), len(links)))
     for i, link in enumerate(links):
         result[i, i] += link
         if i:
@@ -59,12 +59,22 @@ class Lost(Exception):
     """Too many events."""
 
 
+def laws_of(law, contacts):
+    """Of each contact, a law as records have it being of all."""
+    if "mixed" in law:
+        return law["mixed"]
+    if "penalty" in law:
+        return [{**law, "penalty": stiffness} for stiffness in law["penalty"]]
+    return [law] * contacts
+
+
 class Flow:
     """State z: u, u', then cos and sin of each harmonic of the load. `law` as records have it."""
 
     def __init__(self, scene, law):
         M, self.D, self.K = matrices(scene["system"])
-        if "damping" in law or "massless" in law or np.linalg.cond(M) > 1e12:
+        laws = laws_of(law, len(scene["contact"]))
+        if any("damping" in one or "massless" in one for one in laws) or np.linalg.cond(M) > 1e12:
             raise ValueError("no law of this flow")
         self.size, self.inverse = len(M), np.linalg.inv(M)
         self.frequency = scene["forcing"]["frequency"]
@@ -76,7 +86,7 @@ class Flow:
             for dof, factor in contact["normal"]:
                 row[dof] = factor
         self.gaps = np.array([contact["gap"] for contact in contacts])
-        self.restitution, self.spring = law.get("restitution"), law.get("penalty")
+        self.restitution, self.spring = ([one.get(key) for one in laws] for key in ("restitution", "penalty"))
         self.harmonics = sorted({term["harmonic"] for term in self.terms})
         self.modes = {}
 
@@ -91,15 +101,16 @@ class Flow:
                 force[term["dof"], at] += term["cos"]
                 force[term["dof"], at + 1] += term.get("sin", 0.0)
             constant = np.zeros(n)
-            N = self.normals[list(closed)]
-            pressed = np.zeros((len(closed), total))
-            if self.spring is not None:
-                for row, gap, spring in zip(N, self.gaps[list(closed)], np.array(self.spring)[list(closed)]):
-                    force[:, :n] -= spring * np.outer(row, row)
-                    constant += spring * gap * row
-            elif closed:
-                pressed = np.linalg.solve(N @ self.inverse @ N.T, N @ self.inverse @ force)
-                force = force - N.T @ pressed
+            for c in closed:
+                if self.spring[c] is not None:
+                    force[:, :n] -= self.spring[c] * np.outer(self.normals[c], self.normals[c])
+                    constant += self.spring[c] * self.gaps[c] * self.normals[c]
+            held, pressed = self.held(closed), {}
+            if held:  # of the forces and the springs' constant
+                N = self.normals[held]
+                part = np.linalg.solve(N @ self.inverse @ N.T, N @ self.inverse)
+                pressed = dict(zip(held, np.column_stack([part @ force, part @ constant])))
+                force, constant = force - N.T @ part @ force, constant - N.T @ part @ constant
             A = np.zeros((total + 1, total + 1))
             A[:n, n:2 * n] = np.eye(n)
             A[n:2 * n, :total], A[n:2 * n, total] = self.inverse @ force, self.inverse @ constant
@@ -109,6 +120,9 @@ class Flow:
             steps = [exponential(A * (self.period / STEPS / 2**k)) for k in range(HALVINGS + 1)]
             self.modes[closed] = steps, pressed
         return self.modes[closed]
+
+    def held(self, closed):
+        return [c for c in closed if self.spring[c] is None]
 
     def start(self, u, v, time):
         z = np.concatenate([u, v, np.zeros(2 * len(self.harmonics)), [1.0]])
@@ -121,46 +135,43 @@ class Flow:
         """The contact that has to change, or None."""
         n = self.size
         depth = self.normals @ z[:n] - self.gaps
-        if self.spring is not None:
-            wrong = [c for c in range(len(depth)) if (depth[c] > 0.0) != (c in closed)]
-            return wrong[0] if wrong else None
-        if closed:
-            pressing = self.mode(closed)[1] @ z[:-1]
-            for c, push in zip(closed, pressing):
-                if push < 0.0:
-                    return c
+        for c, push in self.mode(closed)[1].items():
+            if push @ z < 0.0:
+                return c
         speed = self.normals @ z[n:2 * n]
-        for c in range(len(depth)):
-            if c not in closed and depth[c] > 0.0 and speed[c] > 0.0:
+        for c, spring in enumerate(self.spring):
+            if spring is not None and (depth[c] > 0.0) != (c in closed):
+                return c
+            if spring is None and c not in closed and depth[c] > 0.0 and speed[c] > 0.0:
                 return c
         return None
 
     def change(self, z, c, closed):
         """State and closed contacts after an event of contact c."""
-        if self.spring is not None or c in closed:
+        if self.spring[c] is not None or c in closed:
             return z, tuple(sorted(set(closed) ^ {c}))
         n, normal = self.size, self.normals[c]
-        fixed = self.normals[list(closed)]
+        fixed = self.normals[self.held(closed)]
         jump = self.inverse @ normal
-        if closed:
+        if len(fixed):
             jump = jump - self.inverse @ fixed.T @ np.linalg.solve(fixed @ self.inverse @ fixed.T, fixed @ jump)
         speed = normal @ z[n:2 * n]
         z = z.copy()
         scale = self.frequency * (abs(self.gaps[c]) + np.abs(z[:n]).max())
-        rests = self.restitution < 1.0 and speed < 1e-6 * scale
-        z[n:2 * n] -= (1.0 + (0.0 if rests else self.restitution)) * speed / (normal @ jump) * jump
+        rests = self.restitution[c] < 1.0 and speed < 1e-6 * scale
+        z[n:2 * n] -= (1.0 + (0.0 if rests else self.restitution[c])) * speed / (normal @ jump) * jump
         if rests:
             z[:n] -= (normal @ z[:n] - self.gaps[c]) / (normal @ jump) * jump
             held = tuple(sorted({*closed, c}))
-            if self.mode(held)[1][held.index(c)] @ z[:-1] > 0.0:
+            if self.mode(held)[1][c] @ z > 0.0:
                 return z, held
         return z, closed
 
     def period_map(self, z, periods, keep=None):
         """z after so many forcing periods; the contact coordinates of each step go into `keep`."""
-        closed, events = (), 0
-        if self.spring is not None:
-            closed = tuple(c for c in range(len(self.gaps)) if self.normals[c] @ z[:self.size] > self.gaps[c])
+        events = 0
+        closed = tuple(c for c, spring in enumerate(self.spring)
+                       if spring is not None and self.normals[c] @ z[:self.size] > self.gaps[c])
         for _ in range(periods * STEPS):
             if keep is not None:
                 keep.append(self.normals @ z[:self.size])
