@@ -23,6 +23,7 @@ class ClosingSolver final : public HarmonicSolver {
  private:
   HarmonicSolve solve_contacts(const Start& start, Work& work) override {
     if (!closure_) return {solve_series(setup(), start, work)};
+    if (!closure_->obstacle.empty()) return refused({}, {.reason = closure_->obstacle}, work);
     ClosedAnswer closed = close_answer(setup(), *closure_, start, work);
     if (closed.answer) return {*std::move(closed.answer)};
     const bool spent = is_spent(setup().options.max_iterations, work);

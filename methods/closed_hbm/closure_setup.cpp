@@ -84,13 +84,12 @@ std::optional<ClosureSetup> closure_setup(const HarmonicSetup& setup, const Clos
   const Problem& problem = *setup.problem;
   if (!std::holds_alternative<Restitution>(problem.law())) return std::nullopt;
   if (setup.receptance.rigid_count() > 0)
-    throw std::runtime_error(  // impulses of a closure are free, those of a loose part add up to its mean
-                               // load
-        "impacts of a part that no spring holds are not closed: a closure takes each impulse as an unknown "
-        "of its "
-        "own, but the mean load fixes their sum and leaves the mean of the part open; hat-lcp and "
-        "exact-orbit "
-        "take both");
+    // Impulses of a closure are free; those of a loose part add up to its mean load.
+    return ClosureSetup{
+        .obstacle =
+            "they are of a part that no spring holds: a closure takes each impulse as an unknown of "
+            "its own, but the mean load fixes their sum and leaves the mean of the part open; "
+            "hat-lcp and exact-orbit take both"};
   ClosureSetup closure{.restitution = settings.restitution,
                        .stiffness_factor = settings.constant_is_chosen ? 1.0 : kHarder,
                        .response = response_to_impacts(problem, setup.receptance)};

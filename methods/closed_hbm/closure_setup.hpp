@@ -2,6 +2,7 @@
 // What closing impacts takes besides the equations of a scene with H harmonics.
 
 #include <optional>
+#include <string>
 
 #include "methods/harmonic_balance/harmonic_setup.hpp"
 #include "methods/refinement.hpp"
@@ -31,6 +32,7 @@ struct ClosureSetup {
   /// The same scene on hat functions with that restitution, where impacts are looked for; empty without a
   /// response, or where the contacts are too many. Its scene must outlive it.
   std::optional<Resolutions> hat_grids = {};
+  std::string obstacle = {};  ///< why the impacts are not closed, one sentence; empty where they may be
 };
 
 /// Nothing where there are no impacts to close: the stops are springs or have no mass behind them; or, at

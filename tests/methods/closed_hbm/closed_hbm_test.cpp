@@ -8,6 +8,7 @@
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 #include "tests/support/massless_scenes.hpp"
 
 namespace signorini::closed_hbm_test {
@@ -37,6 +38,17 @@ TEST(ClosedHbm, IsNearerTheOrbitThanTheSeriesOfTheProjectedEquations) {
   };
   const Problem problem = test::to_problem(kStop);
   EXPECT_LT(8.0 * error(solve<ClosedHbm>(problem, {})), error(solve<FourierLipschitz>(problem, {})));
+}
+
+// An answer, not an exception: the search for orbits asks every method.
+TEST(ClosedHbm, SaysThatImpactsOfALoosePartAreNotClosed) {
+  Problem ball = test::loose_mass(1.0, 0.1);
+  ball.force = {{.dof = 0, .harmonic = 0, .cos = 1.0}, {.dof = 0, .cos = 2.0}};
+  ball.contacts = {{.normal = {{0, 1.0}}, .gap = 0.0}};
+  ball.set_law(Restitution{0.8});
+  const Solution solution = solve<ClosedHbm>(ball, {});
+  EXPECT_EQ(solution.verdict, Verdict::not_converged);
+  EXPECT_NE(solution.message.find("a part that no spring holds"), std::string::npos) << solution.message;
 }
 
 TEST(ClosedHbm, RepresentsTheScenesLawUnlessRestitutionOneIsAsked) {
