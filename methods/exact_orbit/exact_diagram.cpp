@@ -48,7 +48,7 @@ class Beginnings {
 
   /// Why `find` has found none.
   [[nodiscard]] std::string reason() const {
-    if (!family_.driven()) return "no free motion was found to begin from, and the load does not vary";
+    if (!family_.driven()) return "no free motion was found to begin from: those of one impact on a rigid stop are looked for";
     return "no orbit was found to begin from" + (refusal_.empty() ? "" : ": " + refusal_);
   }
 
@@ -132,7 +132,8 @@ OrbitDiagram exact_diagram(const ParametrisedScene& scene, const Method& method,
   Beginnings beginnings(family, method, limits);
   OrbitDiagram diagram = trace_diagram(family, beginnings.find(), limits,
                                        [&](double parameter) { return beginnings.answers_at(parameter); });
-  if (diagram.branches.empty() && diagram.unfinished.empty()) diagram.unfinished = beginnings.reason();
+  if (diagram.branches.empty() && diagram.unfinished.empty() && diagram.notes.empty())
+    diagram.unfinished = beginnings.reason();
   return diagram;
 }
 
