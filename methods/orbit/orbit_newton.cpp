@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "methods/orbit/family_inverse.hpp"
 #include "methods/orbit/orbit_equations.hpp"
 #include "methods/solvers/damped_newton.hpp"
 #include "problems/linear_algebra/lu.hpp"
@@ -41,6 +42,10 @@ class NewtonOnOrbit {
     if (interrupted_) return std::nullopt;
     lu_.compute(equations_.jacobian());
     step_ = -lu_.solve(equations_.residual());
+    if (!(lu_.reciprocal_condition() > kFamilyCondition) && touches(equations_.orbit(unknowns_))) {
+      const auto family = family_inverse(equations_.jacobian(), equations_.size() - equations_.events());
+      if (family) step_ = -(family->inverse * equations_.residual());
+    }
     if (!step_.allFinite()) return std::nullopt;
     const double longest = longest_part();
     short_steps_ = longest < kMerging ? short_steps_ + 1 : 0;

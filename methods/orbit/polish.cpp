@@ -5,14 +5,16 @@
 #include <cmath>
 #include <exception>
 #include <numeric>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "methods/orbit/exact_orbit.hpp"
+#include "methods/orbit/family_inverse.hpp"
 #include "methods/orbit/modal_green_function.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
-#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -48,28 +50,34 @@ std::optional<double> distance_to_green_function(const OrbitModel& model, const 
 }
 
 // By the first order, unknowns are wrong by J^-1 times what the residual is and what it cannot show.
-void measure_error(const OrbitModel& model, const OrbitEquations& equations, const PolishOptions& options,
+// \return whether the orbit is one of a family
+bool measure_error(const OrbitModel& model, const OrbitEquations& equations, const PolishOptions& options,
                    ExactOrbit& orbit) {
   const LuFactors lu(equations.jacobian());
   orbit.condition = condition_from(lu.reciprocal_condition());
+  std::optional<FamilyInverse> family;
+  if (!(lu.reciprocal_condition() > kFamilyCondition) && touches(orbit.trajectory->orbit()))
+    family = family_inverse(equations.jacobian(), model.dynamics.structure().states());
+  if (family) orbit.condition = family->condition;
   // An instant counts with the displacement that it costs: with the speed there.
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(equations.size());
   for (Eigen::Index i = 0; i < equations.events(); ++i) {
     const double v = equations.crossings()[static_cast<std::size_t>(i)].approach;
     weight[equations.size() - equations.events() + i] = std::abs(v) / model.dynamics.scales().velocity;
   }
-  const Eigen::MatrixXd inverse = weight.asDiagonal() * lu.inverse();
+  const Eigen::MatrixXd inverse = weight.asDiagonal() * (family ? family->inverse : lu.inverse());
   orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() *
                     (orbit.residual + orbit.attainable + orbit.admissibility.chatter_error);
-  if (!options.second_evaluation) return;
+  if (!options.second_evaluation) return family.has_value();
   if (const auto distance = distance_to_green_function(model, *orbit.trajectory)) {
     orbit.error_bar = std::max(orbit.error_bar, *distance);
-    return;
+    return family.has_value();
   }
   OrbitModel other(model, FlowForm::exponential);
   OrbitEquations again(other, orbit.trajectory->orbit(), options.expired);
-  if (!again.evaluate(again.guess())) return;
+  if (!again.evaluate(again.guess())) return family.has_value();
   orbit.error_bar = std::max(orbit.error_bar, (inverse * again.residual()).lpNorm<Eigen::Infinity>());
+  return family.has_value();
 }
 
 void conclude(OrbitModel& model, const OrbitEquations& equations, const PolishOptions& options,
@@ -107,6 +115,12 @@ void conclude(OrbitModel& model, const OrbitEquations& equations, const PolishOp
       chatter ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
               : fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings);
   if (closings == 0 && any_closed(path.start.closed)) orbit.reason += " (closed throughout)";
+}
+
+void name_family(std::string_view family, ExactOrbit& orbit) {
+  orbit.multipliers.resize(0);
+  orbit.orders.clear();
+  orbit.undefined = family;
 }
 
 // Puts the instants of events that rounding has exchanged at one; the order of the events by their instants
@@ -150,8 +164,10 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
       std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
   orbit.trajectory = trajectory;
   orbit.admissibility = check_admissible(*model, path, equations, options.expired);
-  measure_error(*model, equations, options, orbit);
+  const bool family = measure_error(*model, equations, options, orbit);
   conclude(*model, equations, options, orbit);
+  if (family && orbit.certified())
+    name_family("free parts that no contact of the motion holds in their place may be anywhere", orbit);
   trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
   return orbit;
 }
@@ -171,21 +187,14 @@ std::string describe(OrbitOutcome outcome) {
 
 ExactOrbit polish_free_member(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
                               const PolishOptions& options) {
-  constexpr double kSingular = 1e-9,
-                   kAtRest = 1e-6;  // of the largest singular value; of a direction's length
-  if (!guess.events.empty() || any_closed(guess.start.closed)) return {};
+  if (touches(guess)) return {};
   try {
     OrbitEquations equations(*model, guess, options.expired);
     Eigen::VectorXd unknowns = equations.guess();
     if (!equations.evaluate(unknowns)) return {};
-    const SingularValues found = singular_vectors(equations.jacobian());
-    const Eigen::Index rank = (found.values.array() > kSingular * found.values[0]).count();
-    const Eigen::MatrixXd family = found.V.rightCols(found.values.size() - rank);
-    const bool rigid = family.cols() > 0 && family.bottomRows(model->dynamics.size()).norm() <= kAtRest;
-    if (!rigid) return {};
-    const Eigen::MatrixXd inverse = found.V.leftCols(rank) *
-                                    found.values.head(rank).cwiseInverse().asDiagonal() *
-                                    found.U.leftCols(rank).transpose();
+    const auto family = family_inverse(equations.jacobian(), model->dynamics.structure().states());
+    if (!family) return {};
+    const Eigen::MatrixXd& inverse = family->inverse;
     unknowns -= inverse * equations.residual();
     if (!equations.evaluate(unknowns)) return {};
     ExactOrbit orbit{.origin = guess.origin, .residual = equations.residual().lpNorm<Eigen::Infinity>()};
@@ -195,14 +204,12 @@ ExactOrbit polish_free_member(const std::shared_ptr<OrbitModel>& model, const Or
         std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
     orbit.trajectory = trajectory;
     orbit.admissibility = check_admissible(*model, path, equations, options.expired);
-    orbit.condition = found.values[0] / found.values[rank - 1];
+    orbit.condition = family->condition;
     orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() * (orbit.residual + orbit.attainable);
     conclude(*model, equations, options, orbit);
-    if (orbit.certified()) {
-      orbit.multipliers.resize(0);
-      orbit.orders.clear();
-      orbit.undefined = "nothing touches: one of a family of free motions, of any mean within the clearances";
-    }
+    if (orbit.certified())
+      name_family("nothing touches: one of a family of free motions, of any mean within the clearances",
+                  orbit);
     trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
     return orbit;
   } catch (const std::exception& error) {  // as of polish_sequence

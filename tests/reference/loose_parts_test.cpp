@@ -62,6 +62,37 @@ TEST(LooseParts, OfTheCatalogueMoveAsIndependentFlowsDo) {
   }
 }
 
+// Two gears that nothing but their teeth and equal dampers per mass hold: their difference moves as the one
+// mass of test::gear_backlash, and both may be anywhere together.
+TEST(LooseParts, APairThatTeethAloneHoldMovesAsItsDifferenceDoes) {
+  const auto diagonal = [](double value) {
+    return SparseMatrix((value * Eigen::Matrix2d::Identity()).sparseView());
+  };
+  Problem pair = test::gear_backlash();
+  pair.kind = "chain";
+  pair.edit_structure([&](Structure& s) {
+    s.mass = diagonal(2.0);
+    s.damping = diagonal(0.2);
+    s.stiffness = diagonal(0.0);
+  });
+  for (ForceTerm term : std::vector(pair.force)) {
+    term.dof = 1;
+    term.cos *= -1.0;
+    pair.force.push_back(term);
+  }
+  pair.contacts[0].normal = {{0, 1.0}, {1, -1.0}};
+  pair.contacts[1].normal = {{0, -1.0}, {1, 1.0}};
+  for (const char* method : {"exact-orbit", "event-driven", "hat-lcp"}) {
+    SCOPED_TRACE(method);
+    expect_range(solved_by(method, pair), 0, 0.8392488693, 1.2975814541, 2e-6);
+  }
+  const Solution exact = solved_by("exact-orbit", pair);
+  EXPECT_NE(exact.message.find("may be anywhere"), std::string::npos) << exact.message;
+  const OrbitSearch search = OrbitFinder(pair).find(*exact.trajectory, {});
+  ASSERT_TRUE(search.orbit.certified()) << search.orbit.reason;
+  EXPECT_EQ(search.orbit.multipliers.size(), 0) << "one of them is 1";
+}
+
 // Two stable motions, mirror images, beside one that is its own image: an independent march from rest, and
 // from the other side, finds the former.
 TEST(LooseParts, AToolBetweenTwoStopsHasASidedMotionThatIsStable) {

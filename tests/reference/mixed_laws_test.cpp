@@ -205,6 +205,16 @@ TEST(MixedLaws, EqualOnesAreTheSceneOfOneLaw) {
   }
 }
 
+// x at t = 0, T / 4 and T / 2 by tests/attack/own_flow.py, which shares no code with ours.
+TEST(MixedLaws, OfTheCatalogueMoveAsAnIndependentFlowDoes) {
+  const Problem scene = load_scene(find_scene("chain2-housing-and-buffer"));
+  for (const Solution& solution : {solve<ExactOrbitMethod>(scene, {}), solve<EventDriven>(scene, {})}) {
+    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    const Eigen::VectorXd x = solution.trajectory->sample(4).x.col(0);
+    EXPECT_LT((x.head(3) - Eigen::Vector3d(0.16765568, 0.16253195, -0.41006704)).cwiseAbs().maxCoeff(), 1e-7);
+  }
+}
+
 TEST(MixedLaws, AreRefusedByMethodsOfOneLaw) {
   const Problem problem = chain_before(
       "[[contact]]\ndof = 0\ngap = 0.4\nrestitution = 0.6\n[[contact]]\ndof = 2\ngap = 0.3\npenalty = 7.0\n");
