@@ -37,20 +37,30 @@ Guard ClosedFormStretch::guard(int contact, double time) const {
 }
 
 std::vector<Guard> ClosedFormStretch::guards(double time) const {
+  const ContactDynamics& dynamics = flows_.dynamics();
+  const Eigen::MatrixXd outputs = arc_->outputs_at(time, 1);
   std::vector<Guard> all;
-  for (int j = 0; j < flows_.dynamics().contact_count(); ++j) all.push_back(guard(j, time));
+  Eigen::Index closed = dynamics.contact_count();  // row of the next force
+  for (int j = 0; j < dynamics.contact_count(); ++j) {
+    if (arc_->mode().closed(j)) {
+      const double unit = dynamics.stops().coupling()(j, j);
+      all.push_back({.value = -unit * outputs(closed, 0), .rate = -unit * outputs(closed, 1)});
+      ++closed;
+    } else {
+      all.push_back({.value = dynamics.structure().gaps[j] - outputs(j, 0), .rate = -outputs(j, 1)});
+    }
+  }
   return all;
 }
 
-FlowNode ClosedFormStretch::node(double time, const State&) const {
+FlowNode ClosedFormStretch::node(double time) const {
   const int contacts = flows_.dynamics().contact_count();
-  FlowNode node{.time = time,
-                .x = Eigen::MatrixXd(contacts, kNodeOrder + 1),
-                .lambda = Eigen::MatrixXd(contacts, kNodeOrder)};
-  for (int j = 0; j < contacts; ++j) {
-    for (int order = 0; order <= kNodeOrder; ++order) node.x(j, order) = arc_->displacement(j, time, order);
-    for (int order = 0; order < kNodeOrder; ++order) node.lambda(j, order) = arc_->force(j, time, order);
-  }
+  const Eigen::MatrixXd outputs = arc_->outputs_at(time, kNodeOrder);
+  FlowNode node{
+      .time = time, .x = outputs.topRows(contacts), .lambda = Eigen::MatrixXd::Zero(contacts, kNodeOrder)};
+  for (std::size_t c = 0; c < arc_->mode().active.size(); ++c)
+    node.lambda.row(arc_->mode().active[c]) =
+        outputs.row(contacts + static_cast<Eigen::Index>(c)).head(kNodeOrder);
   return node;
 }
 

@@ -91,9 +91,7 @@ void EventFlow::follow(Stretch& stretch, FlowState& flow, double end, FlowRecord
     stretch.step();
     crossing = first_event(stretch, fresh, last);
     if (crossing.contact >= 0 || stretch.finished()) break;
-    if (!record.dense) continue;
-    stretch.state(stretch.end(), flow.state);
-    record.nodes.push_back(stretch.node(stretch.end(), flow.state));
+    if (record.dense) record.nodes.push_back(stretch.node(stretch.end()));
   }
   flow.time = crossing.contact < 0 ? stretch.end() : crossing.time;
   stretch.state(flow.time, flow.state);

@@ -66,6 +66,12 @@ class Stretch {
   [[nodiscard]] virtual std::vector<Guard> guards(double time) const = 0;
   /// x and lambda with their derivatives; `state` is the motion's at this time, as the flow holds it.
   [[nodiscard]] virtual FlowNode node(double time, const State& state) const = 0;
+  /// The same with the state of the stretch itself.
+  [[nodiscard]] virtual FlowNode node(double time) const {
+    State own;
+    state(time, own);
+    return node(time, own);
+  }
 
  protected:
   /// \param noise  error of guards relative to their scales [-]
@@ -88,6 +94,7 @@ class StateStretch : public Stretch {
   void state(double time, State& state) const override;
   [[nodiscard]] Guard guard(int contact, double time) const override;
   [[nodiscard]] std::vector<Guard> guards(double time) const override;
+  using Stretch::node;
   [[nodiscard]] FlowNode node(double time, const State& state) const override;
 
  protected:
@@ -160,7 +167,8 @@ class ClosedFormStretch final : public Stretch {
   void state(double time, State& state) const override { arc_->state(time, state); }
   [[nodiscard]] Guard guard(int contact, double time) const override;
   [[nodiscard]] std::vector<Guard> guards(double time) const override;
-  [[nodiscard]] FlowNode node(double time, const State& state) const override;
+  [[nodiscard]] FlowNode node(double time, const State&) const override { return node(time); }
+  [[nodiscard]] FlowNode node(double time) const override;
 
  private:
   LinearFlows& flows_;

@@ -66,6 +66,10 @@ class LinearArc {
     const Eigen::Index row = equations_.force_row(contact);
     return row < 0 ? 0.0 : output(row, time, order);
   }
+  /// x of all contacts and, below, the forces of the closed ones at one instant, with derivatives up to the
+  /// highest order (0..8), column by order: (Nc + |A|) x (highest + 1), to the bit what `displacement` and
+  /// `force` give one by one [m / s^order], [N / s^order].
+  [[nodiscard]] virtual Eigen::MatrixXd outputs_at(double time, int highest) const;
   /// Bound of |x_j''| from a time on; infinite where none is known [m / s^2].
   [[nodiscard]] double displacement_bound(int contact, double time) const {
     return curvature_bound(contact, time);

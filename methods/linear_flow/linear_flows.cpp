@@ -8,17 +8,21 @@
 
 namespace signorini {
 
+Eigen::MatrixXd LinearArc::outputs_at(double time, int highest) const {
+  Eigen::MatrixXd all(equations_.outputs(), highest + 1);
+  for (Eigen::Index row = 0; row < all.rows(); ++row)
+    for (int order = 0; order <= highest; ++order) all(row, order) = output(row, time, order);
+  return all;
+}
+
 std::vector<Eigen::MatrixXd> LinearArc::outputs(std::span<const double> times, int highest) const {
   const Eigen::Index rows = equations_.outputs();
   std::vector<Eigen::MatrixXd> derivatives(static_cast<std::size_t>(highest) + 1,
                                            Eigen::MatrixXd(rows, std::ssize(times)));
-  // All of one instant together, for which arcs keep what they have computed.
   for (std::size_t i = 0; i < times.size(); ++i) {
-    for (int order = 0; order <= highest; ++order) {
-      for (Eigen::Index row = 0; row < rows; ++row)
-        derivatives[static_cast<std::size_t>(order)](row, static_cast<Eigen::Index>(i)) =
-            output(row, times[i], order);
-    }
+    const Eigen::MatrixXd all = outputs_at(times[i], highest);
+    for (int order = 0; order <= highest; ++order)
+      derivatives[static_cast<std::size_t>(order)].col(static_cast<Eigen::Index>(i)) = all.col(order);
   }
   return derivatives;
 }

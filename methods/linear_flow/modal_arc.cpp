@@ -37,6 +37,7 @@ class ModalFlow::Arc final : public LinearArc {
   }
   [[nodiscard]] bool add_force_integrals(double begin, double end, double w,
                                          Eigen::MatrixXcd& sums) const override;
+  [[nodiscard]] Eigen::MatrixXd outputs_at(double time, int highest) const override;
   [[nodiscard]] std::vector<Eigen::MatrixXd> outputs(std::span<const double> times,
                                                      int highest) const override;
   [[nodiscard]] std::vector<Eigen::MatrixXd> open_displacements(std::span<const double> times, int highest,
@@ -56,6 +57,7 @@ class ModalFlow::Arc final : public LinearArc {
                                      const Eigen::Ref<const Eigen::VectorXcd>& shape, double direct) const;
   [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
   void move_to(double time) const;
+  void add_waves(Eigen::Index row, int order, double& sum) const;
   struct Terms {
     std::vector<Eigen::Index> alive;  // modes that have not faded, m
     Eigen::VectorXcd rates;           // of these and of the load, m + Nh
@@ -70,9 +72,10 @@ class ModalFlow::Arc final : public LinearArc {
   const ModalFlow& flow_;
   const std::vector<double>& rates_;  // of the load
   double begin_ = 0.0;
-  Eigen::VectorXcd amplitude_;  // a_k
-  OutputRows contribution_;     // row_of_mode times a_k
-  bool evenly_ = false;         // whether rates are many and evenly spaced
+  Eigen::VectorXcd amplitude_;                // a_k
+  OutputRows contribution_;                   // row_of_mode times a_k
+  mutable Eigen::MatrixXd real_, imaginary_;  // of it, column by mode; empty until outputs_at asks for them
+  bool evenly_ = false;                       // whether rates are many and evenly spaced
   mutable double now_ = 0.0;
   mutable bool placed_ = false;
   mutable Eigen::VectorXcd growth_, wave_;  // e^{mu_k s}, e^{i h omega t}
@@ -104,6 +107,7 @@ void ModalFlow::Arc::start(double time, const State& state) {
   for (Eigen::Index row = 0; row < contribution_.rows(); ++row)
     for (Eigen::Index k = 0; k < contribution_.cols(); ++k)
       contribution_(row, k) = row_of_mode(row, k) * amplitude_[k];
+  real_.resize(0, 0);
 }
 
 std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, int order) const {
@@ -191,7 +195,12 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
     for (int i = 0; i < order; ++i) term *= flow_.mu()[k];
     sum += term.real();
   }
-  // Re (i r)^order c w.
+  add_waves(row, order, sum);
+  return sum;
+}
+
+// Re (i r)^order c w of each harmonic, at the instant moved to.
+void ModalFlow::Arc::add_waves(Eigen::Index row, int order, double& sum) const {
   const double sign = order % 4 == 0 || order % 4 == 3 ? 1.0 : -1.0;
   for (Eigen::Index h = 0; h < wave_.size(); ++h) {
     const Complex c = flow_.row_of_harmonic_(row, h), w = wave_[h];
@@ -200,7 +209,35 @@ double ModalFlow::Arc::output(Eigen::Index row, double time, int order) const {
     for (int i = 0; i < order; ++i) part *= rate(h);
     sum += sign * part;
   }
-  return sum;
+}
+
+// The sums of `output`, term by term in its order, those of all rows side by side.
+Eigen::MatrixXd ModalFlow::Arc::outputs_at(double time, int highest) const {
+  move_to(time);
+  const Eigen::Index rows = contribution_.rows();
+  if (real_.size() == 0) {
+    real_ = contribution_.real();
+    imaginary_ = contribution_.imag();
+  }
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(rows, highest + 1);
+  Eigen::ArrayXd re(rows), im(rows), turned(rows);
+  for (Eigen::Index k = 0; k < growth_.size(); ++k) {
+    const Complex g = growth_[k], mu = flow_.mu()[k];
+    if (g == Complex(0.0)) continue;
+    const auto c = real_.col(k).array(), d = imaginary_.col(k).array();
+    re = c * g.real() - d * g.imag();
+    im = c * g.imag() + d * g.real();
+    sums.col(0).array() += re;
+    for (int order = 1; order <= highest; ++order) {
+      turned = re * mu.real() - im * mu.imag();
+      im = re * mu.imag() + im * mu.real();
+      re.swap(turned);
+      sums.col(order).array() += re;
+    }
+  }
+  for (int order = 0; order <= highest; ++order)
+    for (Eigen::Index row = 0; row < rows; ++row) add_waves(row, order, sums(row, order));
+  return sums;
 }
 
 // What becomes of the modes that have not faded by the first of some times, and of the waves.
@@ -299,7 +336,10 @@ void ModalFlow::Arc::differentiate(double time, int order, Eigen::Ref<Eigen::Vec
     if (growth_[k] == Complex(0.0)) continue;
     Complex a = flow_.weight()[k] * amplitude_[k] * growth_[k];
     for (int i = 0; i < order; ++i) a *= flow_.mu()[k];
-    for (Eigen::Index i = 0; i < n; ++i) derivative[i] += (a * flow_.basis_->shapes(i, k)).real();
+    // Re (a U), without the other part and its look for what is not a number
+    const Complex* shape = flow_.basis_->shapes.col(k).data();
+    for (Eigen::Index i = 0; i < n; ++i)
+      derivative[i] += a.real() * shape[i].real() - a.imag() * shape[i].imag();
   }
   for (Eigen::Index h = 0; h < wave_.size(); ++h) {
     const double r = rate(h);

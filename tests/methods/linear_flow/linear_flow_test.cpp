@@ -86,6 +86,16 @@ void expect_flow(const Problem& problem, const std::vector<bool>& closed, FlowFo
       EXPECT_EQ(row, values.rows());
     }
   }
+  // To the bit at one instant.
+  const Eigen::MatrixXd at_once = arc.outputs_at(1.7, 5);
+  ASSERT_EQ(at_once.cols(), 6);
+  for (int order = 0; order <= 5; ++order) {
+    Eigen::Index row = 0;
+    for (int j = 0; j < dynamics.contact_count(); ++j)
+      EXPECT_EQ(at_once(row++, order), arc.displacement(j, 1.7, order));
+    for (const int j : arc.mode().active) EXPECT_EQ(at_once(row++, order), arc.force(j, 1.7, order));
+    EXPECT_EQ(row, at_once.rows());
+  }
   // The transition matrix: two arcs differ by it, exactly, for the motion is linear.
   State moved = start;
   moved.u += 0.1 * random_state(dynamics.size()).v;
