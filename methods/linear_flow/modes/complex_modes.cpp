@@ -12,6 +12,7 @@
 #include "methods/solvers/extended/symmetric_eigenpairs.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -38,50 +39,62 @@ ComplexModes modes_of_size(Index count, Index n) {
           .of_load = Eigen::MatrixXcd(count, n)};
 }
 
-// The undamped modes phi_k of a structure whose damping couples none of them: z_k'' + d_k z_k' + l_k z_k = 0.
+// The undamped modes phi_k: z_k'' + d_k z_k' + sum_j c_kj z_j' + l_k z_k = 0.
 struct RealModes {
-  std::vector<long double> squares;  // l_k, n
+  std::vector<long double> squares;  // l_k, n, ascending
   std::vector<long double> damping;  // d_k, n
   ExtendedMatrix shapes;             // phi_k of z, orthonormal, n x n
+  ExtendedMatrix coupling;           // c_kj by damping, n x n, zero on its diagonal
 };
 
-// None where damping couples modes by more than D was rounded by, K~ is not symmetric and definite, or the
-// l_k spread so far that the least of them would be lost in rounding.
-std::optional<RealModes> real_modes(const MassForm& form) {
-  constexpr long double kLost = 1e-15L;             // of the least l_k
-  constexpr long double kRounded = 2.0 * kEpsilon;  // of D
-  const Index n = form.size();
-  const auto lost = [n](long double largest) { return kRounding * static_cast<long double>(n) * largest; };
-  // The l_k reach from below the least element of the diagonal to above the largest: most structures whose
-  // l_k spread too far end here.
-  if (n == 0) return std::nullopt;
-  long double least = form.stiffness(0, 0), largest = least, skew = 0.0L;
-  for (Index j = 0; j < n; ++j) {
+long double skew_part(const ExtendedMatrix& A) {
+  long double sum = 0.0L;
+  for (Index j = 0; j < A.cols(); ++j)
+    for (Index i = 0; i < j; ++i) sum += 2.0L * (A(i, j) - A(j, i)) * (A(i, j) - A(j, i));
+  return std::sqrt(sum);
+}
+
+constexpr long double kLost = 1e-15L;  // of the least l_k
+
+long double lost_of(long double largest, Index n) {
+  return kRounding * static_cast<long double>(n) * largest;
+}
+
+// Whether the l_k spread so far that the least of them would be lost in rounding: they reach from below the
+// least element of the diagonal to above the largest, at which most such structures are seen.
+bool spread_far(const MassForm& form) {
+  long double least = form.stiffness(0, 0), largest = least;
+  for (Index j = 0; j < form.size(); ++j) {
     least = std::min(least, form.stiffness(j, j));
     largest = std::max(largest, form.stiffness(j, j));
-    for (Index i = 0; i < j; ++i) {
-      const long double difference = form.stiffness(i, j) - form.stiffness(j, i);
-      skew += 2.0L * difference * difference;
-    }
   }
-  if (!form.definite || lost(largest) > kLost * least) return std::nullopt;
+  return lost_of(largest, form.size()) > kLost * least;
+}
+
+// None where a l_k is not positive.
+std::optional<RealModes> real_modes(const MassForm& form) {
+  if (!form.definite) return std::nullopt;
   auto pairs = extended::symmetric_eigenpairs(form.stiffness);
-  if (!pairs) return std::nullopt;
-  const std::vector<long double>& squares = pairs->values;
-  if (!(squares.front() > 0.0L && std::max(lost(squares.back()), std::sqrt(skew)) <= kLost * squares.front()))
-    return std::nullopt;
-  ExtendedMatrix coupling =
-      extended::product(extended::transposed_product(pairs->vectors, form.damping), pairs->vectors);
-  std::vector<long double> damping(squares.size());
+  if (!pairs || !(pairs->values.front() > 0.0L)) return std::nullopt;
+  RealModes real{.squares = std::move(pairs->values),
+                 .damping = {},
+                 .shapes = std::move(pairs->vectors),
+                 .coupling = {}};
+  real.coupling = extended::product(extended::transposed_product(real.shapes, form.damping), real.shapes);
+  for (Index k = 0; k < form.size(); ++k) real.damping.push_back(std::exchange(real.coupling(k, k), 0.0L));
+  return real;
+}
+
+// Whether damping couples no modes by more than D was rounded by, K~ is symmetric, and the least l_k is not
+// lost.
+bool uncoupled(const RealModes& real, const MassForm& form) {
+  constexpr long double kRounded = 2.0 * kEpsilon;  // of D
+  const std::vector<long double>& squares = real.squares;
+  if (!(std::max(lost_of(squares.back(), form.size()), skew_part(form.stiffness)) <= kLost * squares.front()))
+    return false;
   long double most = 0.0L;
-  for (Index k = 0; k < n; ++k) {
-    damping[static_cast<std::size_t>(k)] = std::exchange(coupling(k, k), 0.0L);
-    most = std::max(most, std::abs(damping[static_cast<std::size_t>(k)]));
-  }
-  if (!(extended::norm(coupling) <= kRounded * most)) return std::nullopt;
-  return RealModes{.squares = std::move(pairs->values),
-                   .damping = std::move(damping),
-                   .shapes = std::move(pairs->vectors)};
+  for (const long double damping : real.damping) most = std::max(most, std::abs(damping));
+  return extended::norm(real.coupling) <= kRounded * most;
 }
 
 // mu^2 + d mu + l = 0 of each mode: a pair, or two real mu.
@@ -126,6 +139,158 @@ std::optional<ComplexModes> modes_of(const RealModes& real, const MassForm& form
     add(k, mu, other);
     if (!pair) add(k, other, mu);
   }
+  return modes;
+}
+
+// Of damping that couples the undamped modes weakly: with y_k = 1,
+//
+//     mu^2 + (d_k + (C y)_k) mu + l_k = 0,   y_j = -mu (C y)_j / (mu^2 + d_j mu + l_j),   j != k,
+//
+// by repetition, which contracts as much as the coupling is weak: some 1e2 n^3 operations in double for all,
+// where eigenvectors of B take some 4e2 n^3.
+class WeakCoupling {
+ public:
+  WeakCoupling(const RealModes& real, double rate)
+      : real_(real), size_(real.shapes.rows()), C_(extended::rounded(real.coupling)), shift_(rate * rate) {
+    for (Index k = 0; k < size_; ++k) {
+      d_.push_back(static_cast<double>(damping(k)));
+      l_.push_back(static_cast<double>(square(k)));
+    }
+  }
+
+  // False where it does not converge, or the mode is ill-conditioned. \param larger  of two real mu
+  [[nodiscard]] bool find(Index k, bool larger) {
+    constexpr int kMost = 60;
+    constexpr double kStill = 2e-16, kWeak = 0.25;
+    y_ = Eigen::VectorXcd::Zero(size_);
+    y_[k] = 1.0;
+    mu = root(k, 0.0, larger);
+    for (int i = 0; i < kMost; ++i) {
+      const Eigen::VectorXcd pushed = product_by_real_matrix(C_, y_);
+      mu = root(k, pushed[k], larger);
+      double change = 0.0, most = 0.0;
+      for (Index j = 0; j < size_; ++j) {
+        if (j == k) continue;
+        const auto at = static_cast<std::size_t>(j);
+        const Complex next = -mu * pushed[j] / (mu * mu + d_[at] * mu + l_[at]);
+        change = std::max(change, std::abs(next - y_[j]));
+        most = std::max(most, std::abs(next));
+        y_[j] = next;
+      }
+      if (!(most <= kWeak)) return false;
+      if (change <= kStill) return well_conditioned();
+    }
+    return false;
+  }
+
+  // What was found: of z = sum_k phi_k y_k and of a = (of_position z + of_velocity z').
+  [[nodiscard]] const Eigen::VectorXcd& shape() const { return y_; }
+  [[nodiscard]] const Eigen::VectorXcd& of_position() const { return position_; }
+  [[nodiscard]] const Eigen::VectorXcd& of_velocity() const { return velocity_; }
+  [[nodiscard]] bool is_pair(Index k) const { return square(k) - 0.25L * damping(k) * damping(k) > 0.0L; }
+
+  Complex mu;
+
+ private:
+  [[nodiscard]] long double square(Index k) const { return real_.squares[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] long double damping(Index k) const { return real_.damping[static_cast<std::size_t>(k)]; }
+
+  static Eigen::VectorXcd product_by_real_matrix(const Eigen::MatrixXd& A, const Eigen::VectorXcd& x) {
+    Eigen::VectorXcd result(A.rows());
+    result.real() = image(A, Eigen::VectorXd(x.real()));
+    result.imag() = image(A, Eigen::VectorXd(x.imag()));
+    return result;
+  }
+
+  // Of the larger of two real mu the other one is l / mu.
+  [[nodiscard]] Complex root(Index k, Complex coupled, bool larger) const {
+    using ExtendedComplex = std::complex<long double>;
+    const ExtendedComplex half = 0.5L * (damping(k) + ExtendedComplex(coupled.real(), coupled.imag()));
+    const ExtendedComplex length = std::sqrt(half * half - square(k));
+    if (is_pair(k)) return static_cast<Complex>(length.imag() > 0.0L ? -half + length : -half - length);
+    const ExtendedComplex large = (half * std::conj(length)).real() > 0.0L ? -half - length : -half + length;
+    return static_cast<Complex>(larger ? large : square(k) / large);
+  }
+
+  // By the condition of the eigenvalue in the coordinates of the energy.
+  [[nodiscard]] bool well_conditioned() {
+    const Eigen::VectorXcd pushed = product_by_real_matrix(C_, y_);
+    position_.resize(size_);
+    velocity_ = y_;
+    Complex theta = 0.0;
+    double right = 0.0, left = 0.0;
+    for (Index j = 0; j < size_; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      position_[j] = (mu + d_[at]) * y_[j] + pushed[j];
+      theta += y_[j] * (position_[j] + mu * y_[j]);
+      const double energy = l_[at] + shift_;
+      right += (energy + std::norm(mu)) * std::norm(y_[j]);
+      left += std::norm(position_[j]) / energy + std::norm(y_[j]);
+    }
+    position_ /= theta;
+    velocity_ /= theta;
+    return std::sqrt(right * left) < most_cancelled(size_) * std::abs(theta);
+  }
+
+  const RealModes& real_;
+  Index size_;
+  Eigen::MatrixXd C_;
+  double shift_;  // s^2
+  std::vector<double> d_, l_;
+  Eigen::VectorXcd y_, position_, velocity_;
+};
+
+// Whether modes of z give back a state that is not one of them.
+bool complete(const Eigen::VectorXcd& mu, const Eigen::VectorXd& weight, const Eigen::MatrixXcd& shapes,
+              const Eigen::MatrixXcd& left, double rate) {
+  constexpr double kComplete = 1e-9;
+  const Index n = shapes.rows();
+  Eigen::VectorXcd state(2 * n);
+  for (Index i = 0; i < n; ++i) {
+    state[i] = std::cos(1.0 + 2.0 * static_cast<double>(i));
+    state[n + i] = rate * std::cos(2.0 + 3.0 * static_cast<double>(i));
+  }
+  Eigen::VectorXcd amplitude = complex_image(left, state);
+  for (Index k = 0; k < mu.size(); ++k) amplitude[k] *= weight[k];
+  const Eigen::VectorXcd rates = mu.cwiseProduct(amplitude);
+  const Eigen::VectorXd z = complex_image(shapes, amplitude).real(), v = complex_image(shapes, rates).real();
+  return (z - state.head(n).real()).norm() <= kComplete * state.head(n).norm() &&
+         (v - state.tail(n).real()).norm() <= kComplete * rates.norm();
+}
+
+std::optional<ComplexModes> weakly_coupled_modes(const RealModes& real, const MassForm& form, double rate) {
+  constexpr long double kSymmetric = 1e-12L;
+  const Index n = form.size();
+  if (skew_part(form.stiffness) > kSymmetric * extended::norm(form.stiffness) ||
+      skew_part(form.damping) > kSymmetric * extended::norm(form.damping))
+    return std::nullopt;
+  WeakCoupling coupling(real, rate);
+  Index count = 0;
+  for (Index k = 0; k < n; ++k) count += coupling.is_pair(k) ? 1 : 2;
+  ComplexModes modes = modes_of_size(count, n);
+  Eigen::MatrixXcd Y(n, count), position(n, count), velocity(n, count);
+  Index place = 0;
+  for (Index k = 0; k < n; ++k) {
+    const bool pair = coupling.is_pair(k);
+    for (int part = 0; part < (pair ? 1 : 2); ++part, ++place) {
+      if (!coupling.find(k, part == 0) || pair != (coupling.mu.imag() > 0.0)) return std::nullopt;
+      modes.mu[place] = coupling.mu;
+      modes.weight[place] = pair ? 2.0 : 1.0;
+      Y.col(place) = coupling.shape();
+      position.col(place) = coupling.of_position();
+      velocity.col(place) = coupling.of_velocity();
+    }
+  }
+  Eigen::MatrixXcd left(count, 2 * n);
+  left.leftCols(n) = position.transpose();
+  left.rightCols(n) = velocity.transpose();
+  if (!complete(modes.mu, modes.weight, Y, left, rate)) return std::nullopt;
+  const Eigen::MatrixXd S = extended::rounded(extended::product(form.q_of_z, real.shapes)),
+                        R = extended::rounded(extended::product(form.L, real.shapes));
+  modes.shapes = product_of_complex(S, Y);
+  modes.left.leftCols(n) = product_of_complex(R, position).transpose();
+  modes.left.rightCols(n) = product_of_complex(R, velocity).transpose();
+  modes.of_load = product_of_complex(S, velocity).transpose();
   return modes;
 }
 
@@ -243,10 +408,18 @@ Eigen::VectorXcd ComplexModes::forced(const Eigen::VectorXcd& load, double rate)
 }
 
 std::optional<ComplexModes> complex_modes(const MassForm& form, double rate) {
-  if (const auto real = real_modes(form)) return modes_of(*real, form, rate);
+  const bool small = form.size() <= kLongDouble;
+  const bool far = form.size() == 0 || spread_far(form);
+  if (!small || !far) {
+    const std::optional<RealModes> real = real_modes(form);
+    if (real && !far && uncoupled(*real, form)) return modes_of(*real, form, rate);
+    if (real && !small) {
+      if (auto weak = weakly_coupled_modes(*real, form, rate)) return weak;
+    }
+  }
   const EnergyForm energy(form, rate);
   if (!energy.definite) return std::nullopt;
-  return form.size() <= kLongDouble ? modes_in_long_double(form, energy) : modes_in_double(form, energy);
+  return small ? modes_in_long_double(form, energy) : modes_in_double(form, energy);
 }
 
 }  // namespace signorini
