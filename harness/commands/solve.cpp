@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -30,7 +29,7 @@ struct SolveArguments {
   std::vector<std::string> settings;
   std::string start;
   int samples = 0;
-  std::optional<double> certificate = {}, reference = {};  // [s]
+  std::optional<double> timeout = {}, certificate = {}, reference = {};  // [s]
   bool json = false;
   bool verbose = false;
   int harmonics = SummaryRequest{}.harmonics;
@@ -39,7 +38,8 @@ struct SolveArguments {
   Column column = Column::own;
 };
 
-/// Prints what the method says, and that the harness looks at it; a terminal sees meanwhile for how long.
+/// Prints what the method says once the harness has judged it, for whether the motion is stable stands in the
+/// first lines; a terminal sees meanwhile for how long. What an interrupt leaves unjudged is printed, too.
 class AnswerPrinter {
  public:
   AnswerPrinter(const std::string& method, SolveOutput output)
@@ -47,28 +47,26 @@ class AnswerPrinter {
 
   void answer(const Record& record) {
     waiting_.reset();
-    status_ = record.status;
-    fmt::print("{}", answer_text(record, output_));
-    std::fflush(stdout);
+    answer_ = record;
     waiting_.emplace("looking for the orbit behind the answer");
   }
 
   /// Before anything else is printed.
   void stop_waiting() { waiting_.reset(); }
 
-  /// After the answer, which is printed now if it has not been yet.
-  void judgement(const Record& record) {
-    if (!status_) answer(record);
-    waiting_.reset();
-    if (*status_ != record.status)
-      fmt::print("{:<22}{}: {}\n", "verdict", status_name(record.status), record.message);
-    fmt::print("{}", judgement_text(record, output_));
+  /// What there is of an answer after an interrupt.
+  void unjudged() const {
+    if (answer_) fmt::print("{}", answer_text(*answer_, output_));
+  }
+
+  void judgement(const Record& record) const {
+    fmt::print("{}{}", answer_text(record, output_), judgement_text(record, output_));
   }
 
  private:
   SolveOutput output_;
   std::optional<Waiting> waiting_;
-  std::optional<Status> status_;
+  std::optional<Record> answer_;
 };
 
 /// The motion to start from. \throws UsageError where it is none for the scene and the method
@@ -108,7 +106,8 @@ int solve(const SolveArguments& arguments) {
                      .samples = arguments.samples,
                      .summary = SummaryRequest{.harmonics = arguments.harmonics, .dofs = arguments.dofs}};
   watch_interrupts();
-  Runner runner({.repetitions = 1,
+  Runner runner({.timeout = arguments.timeout.value_or(Limits{}.timeout),
+                 .repetitions = 1,
                  .certificate_timeout = arguments.certificate.value_or(certificate_seconds(scene.problem)),
                  .reference_timeout = arguments.reference.value_or(0.0)});
   constexpr double kPlotTolerance = 2e-4;  // below what is seen on a page
@@ -120,7 +119,10 @@ int solve(const SolveArguments& arguments) {
   runner.compute_references(scene, jobs);
   std::optional<Record> record = runner.run(scene, jobs.front(), extras);
   printer.stop_waiting();
-  if (!record) return kInterrupted;
+  if (!record) {
+    if (!arguments.json) printer.unjudged();
+    return kInterrupted;
+  }
   const std::optional<Waveforms> waveforms = std::exchange(record->waveforms, std::nullopt);
   if (arguments.json) {
     fmt::print("{}\n", json_line(to_json(*record)));
@@ -161,6 +163,12 @@ void add_solve_command(const Command& program, int& exit_code) {
       .shows_default();
   command.option("--start", arguments->start,
                  "start from the motion in a file that solve --json --samples wrote");
+  command
+      .option(
+          "--timeout", arguments->timeout,
+          "processor time of the method [s], 30 if it is not given; of wall time it may take ten times as "
+          "much")
+      .check(positive_seconds);
   command
       .option("--certificate", arguments->certificate,
               "processor time of the search for the orbit behind the answer [s]; if it is not given a second "

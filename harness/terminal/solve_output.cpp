@@ -142,6 +142,25 @@ std::string certificate_words(const Certificate& certificate) {
                      certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason);
 }
 
+/// "stable, largest multiplier 0.6935", or why neither is known.
+std::string stability_line(const Record& record) {
+  const Certificate& certificate = record.certificate;
+  const bool certified = certificate.status == CertificateStatus::certified;
+  std::string text = certified ? stability_words(certificate.stable, certificate.undefined) : "";
+  if (text.empty()) {
+    const std::string reason = certified ? "the multipliers do not tell" : certificate.reason;
+    text = "not determined" + (reason.empty() ? "" : ": " + reason);
+  } else if (certificate.floquet && !certificate.floquet->empty()) {
+    double largest = 0.0;
+    for (const auto& [re, im] : *certificate.floquet) largest = std::max(largest, std::hypot(re, im));
+    text += fmt::format(", largest multiplier {:.4g}", largest);
+  }
+  if (certified && certificate.stable == false)
+    text +=
+        fmt::format("; a machine leaves this motion: `signorini motion {}` tells for which", record.scene);
+  return named_text("stability", text);
+}
+
 /// Multipliers by their size, the largest first, one of each pair of conjugates.
 std::string multipliers(const FloquetMultipliers& all, bool verbose) {
   std::vector<std::pair<double, double>> kept;
@@ -166,12 +185,8 @@ std::string orbit_lines(const Certificate& certificate, bool verbose) {
   const bool certified = certificate.status == CertificateStatus::certified;
   std::string text =
       named_text(certified ? "certified by orbit" : "uncertified", certificate_words(certificate));
-  if (!certified) return text;
-  std::string stability = stability_words(certificate.stable, certificate.undefined);
-  if (stability.empty()) stability = "not determined";
-  if (certificate.floquet && !certificate.floquet->empty())
-    stability += ", multipliers " + multipliers(*certificate.floquet, verbose);
-  return text + named_text("stability", stability);
+  if (!certified || !certificate.floquet || certificate.floquet->empty()) return text;
+  return text + named_text("multipliers", multipliers(*certificate.floquet, verbose));
 }
 
 std::string error_lines(const Record& record) {
@@ -228,6 +243,8 @@ std::string answer_text(const Record& record, const SolveOutput& output) {
     for (const std::string& line : wrapped_lines(record.message, kSolveColumns - 2))
       text += "  " + line + "\n";
   }
+  if (record.status == Status::timeout) text += "  --timeout gives it more time\n";
+  if (converged) text += stability_line(record);
   if (record.law) {
     text +=
         named_text("law", law_text(*record.law) + (record.law_matches_scene == false

@@ -27,6 +27,7 @@ const Reach& ranking_reach(const Standing& standing) { return standing.reach[kRa
 
 bool stands_before(const Standing& a, const Standing& b) {
   const Reach &first = ranking_reach(a), &second = ranking_reach(b);
+  if (first.lasting() != second.lasting()) return first.lasting() > second.lasting();
   if (first.scenes != second.scenes) return first.scenes > second.scenes;
   const double sooner = first.median_seconds(), later = second.median_seconds();
   return sooner != later ? sooner < later : natural_less(a.configuration, b.configuration);
@@ -98,7 +99,7 @@ void join_equal_results(std::vector<Contestant>& contestants) {
 void recommend(std::vector<Contestant>& contestants) {
   Standing& first = contestants.front().standing;
   const Reach& best = ranking_reach(first);
-  if (best.scenes == 0) return;
+  if (best.lasting() == 0) return;
   const double least = best.median_seconds();
   Contestant* sooner = nullptr;
   bool others = false;
@@ -106,11 +107,12 @@ void recommend(std::vector<Contestant>& contestants) {
     Standing& standing = contestant.standing;
     const Reach& reach = ranking_reach(standing);
     const double seconds = reach.median_seconds();
-    if (reach.scenes == best.scenes) {
+    if (reach.lasting() == best.lasting()) {
       others = others || &standing != &first;
       standing.recommended = seconds <= kEqualTimes * least;
       if (&standing != &first) standing.reason = "as many scenes, within 10 %";
-    } else if (reach.scenes > 0 && reach.scenes + 1 == best.scenes && kEqualTimes * seconds < least &&
+    } else if (reach.lasting() > 0 && reach.lasting() + 1 == best.lasting() &&
+               kEqualTimes * seconds < least &&
                (sooner == nullptr || seconds < ranking_reach(sooner->standing).median_seconds()) &&
                !have_equal_equations(contestant, contestants.front())) {
       sooner = &contestant;

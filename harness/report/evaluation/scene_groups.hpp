@@ -72,11 +72,12 @@ struct Standing {
 struct SceneGroup {
   SceneKind kind = SceneKind::rigid_stop;
   std::vector<std::string> scenes = {};
-  /// Best first: by the number of scenes with an error of x of at most kGroupErrors[kRankingError], then by
-  /// the median time to it, then by name. Recommended are the first and those that reach it on as many scenes
-  /// within kEqualTimes of its time; and of those that reach it on one scene fewer the soonest, where it is
-  /// sooner by more than that: a single scene decides between them. None where none reaches it, or of fewer
-  /// scenes than kFewestScenes.
+  /// Best first: by the number of scenes with an error of x of at most kGroupErrors[kRankingError] and a
+  /// motion not known to be unstable (Reach::lasting), then by that with any motion, by the median time to
+  /// it, by name. Recommended are the first and those that reach it on as many scenes within kEqualTimes of
+  /// its time; and of those that reach it on one scene fewer the soonest, where it is sooner by more than
+  /// that: a single scene decides between them. None where none reaches it, or of fewer scenes than
+  /// kFewestScenes.
   std::vector<Standing> standings = {};
 
   /// Whether there are too few scenes to recommend anything.

@@ -57,6 +57,8 @@ struct Reach {
 
   /// Counts the scene of a study.
   void add(const ResolutionStudy& study, double error);
+  /// Scenes whose motion is not known to be unstable: what recommendations count.
+  [[nodiscard]] int lasting() const { return scenes - unstable; }
   /// Infinite where half of the scenes or more are not reached, or there is none [s].
   [[nodiscard]] double median_seconds() const;
 };

@@ -113,6 +113,15 @@ ScreenLines command_lines(const std::string& words, const std::string& command) 
   return lines;
 }
 
+/// Of all certified motions, how many are stable.
+ScreenLines stability_lines(const Evaluation& evaluation) {
+  OutcomeCounts counts;
+  for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
+  if (counts.certified == 0) return {};
+  return wrapped_text("Certified motions: " +
+                      stability_text(counts.stable, counts.unstable, counts.certified));
+}
+
 /// What happened, in one or two sentences.
 ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& context) {
   const bool together =
@@ -122,6 +131,7 @@ ScreenLines opening_lines(const Evaluation& evaluation, const ScreenContext& con
   ScreenLines lines;
   if (!context.heading.empty()) append(lines, wrapped_text(context.heading));
   append(lines, wrapped_text(counts_line(evaluation)));
+  append(lines, stability_lines(evaluation));
   if (together)
     append(lines, wrapped_text("Cases ran at the same time: their times are not comparable.", Emphasis::bad));
   else if (!evaluation.times_remark().empty())

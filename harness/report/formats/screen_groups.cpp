@@ -118,9 +118,13 @@ std::string verdict_title(const SceneGroup& group) {
     names += names.empty() ? standing.names() : fmt::format(" or {} ({})", standing.names(), standing.reason);
   }
   if (group.is_too_small()) names = kTooFewScenes;
+  const bool any = std::ranges::any_of(
+      group.standings, [](const Standing& standing) { return standing.reach[kRankingError].scenes > 0; });
   const auto scenes = static_cast<std::ptrdiff_t>(group.scenes.size());
   return fmt::format("{}, {}: {}", kind_title(group.kind), plural(scenes, "scene"),
-                     names.empty() ? "no method gets to 1 %" : names);
+                     !names.empty() ? names
+                     : any          ? "only unstable motions get to 1 %"
+                                    : "no method gets to 1 %");
 }
 
 ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {

@@ -120,8 +120,9 @@ TEST(CommandSolve, PrintsTheMotionThenTheJudgementOnOneScreen) {
     std::istringstream lines(outcome.out);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
     std::size_t last = 0;
-    for (const char* part : {"\ndisplacement ", "\nimpacts ", "\ncontact phases ", "\nharmonics ",
-                             "\ncertified by orbit ", "\nstability ", "\nerror of x "}) {
+    for (const char* part :
+         {"converged\nstability             stable, largest multiplier ", "\ndisplacement ", "\nimpacts ",
+          "\ncontact phases ", "\nharmonics ", "\ncertified by orbit ", "\nerror of x "}) {
       const std::size_t at = outcome.out.find(part);
       ASSERT_NE(at, std::string::npos) << part << outcome.out;
       EXPECT_GT(at, last) << part;
@@ -130,15 +131,29 @@ TEST(CommandSolve, PrintsTheMotionThenTheJudgementOnOneScreen) {
   }
 }
 
-// The judgement may take its time, and may find otherwise.
-TEST(CommandSolve, PrintsTheAnswerBeforeItIsJudgedAndThenTheVerdict) {
+// A method that converges may be judged otherwise.
+TEST(CommandSolve, SaysInTheFirstLinesWhatTheJudgementIs) {
   const Outcome outcome = run("solve sdof-stop-e0 --method hat-lcp --set samples=512 --set plain=true");
   EXPECT_EQ(outcome.code, 1) << outcome.err;
-  EXPECT_EQ(outcome.out.rfind("sdof-stop-e0/hat-lcp[samples=512,plain=true]: converged", 0), 0U)
+  EXPECT_EQ(outcome.out.rfind("sdof-stop-e0/hat-lcp[samples=512,plain=true]: inaccurate\n  ", 0), 0U)
       << outcome.out;
-  const std::size_t verdict = outcome.out.find("\nverdict               inaccurate: ");
-  ASSERT_NE(verdict, std::string::npos) << outcome.out;
-  EXPECT_LT(verdict, outcome.out.find("error of x"));
+  EXPECT_NE(outcome.out.find("\nerror of x "), std::string::npos) << outcome.out;
+}
+
+TEST(CommandSolve, TellsAnUnstableMotionWhereItBegins) {
+  const Outcome outcome = run("solve chaos@2.97 --method exact-orbit");
+  EXPECT_EQ(outcome.out.rfind("chaos@2.97/exact-orbit: converged\nstability             unstable, largest "
+                              "multiplier 4.369; ",
+                              0),
+            0U)
+      << outcome.out;
+}
+
+TEST(CommandSolve, TakesALimitOfTime) {
+  EXPECT_EQ(run("solve sdof-stop --method exact-orbit --timeout 5").code, 0);
+  const Outcome refused = run("solve sdof-stop --method exact-orbit --timeout 0");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
 }
 
 TEST(CommandSolve, SaysOnceThatThereIsNoAnswer) {

@@ -76,14 +76,35 @@ TEST(JudgementText, NamesMultipliersByTheirSizeAndOneOfEachPair) {
   Record record = test::full_record();
   record.certificate.floquet = {{0.1, 0.0}, {-0.5, -0.5}, {-0.5, 0.5}};
   const std::string text = judgement_text(record, {});
-  EXPECT_NE(text.find("stable, multipliers -0.5 +- 0.5i, 0.1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nmultipliers           -0.5 +- 0.5i, 0.1\n"), std::string::npos) << text;
+}
+
+TEST(AnswerText, SaysInItsSecondLineWhetherTheMotionIsStable) {
+  Record record = test::full_record();
+  record.status = Status::converged;
+  record.certificate.status = CertificateStatus::certified;
+  record.certificate.undefined.clear();
+  record.certificate.floquet = {{0.1, 0.0}, {-0.3, -0.4}, {-0.3, 0.4}};
+  const auto second = [&] { return lines_of(answer_text(record, {}))[1]; };
+  record.certificate.stable = true;
+  EXPECT_EQ(second(), "stability             stable, largest multiplier 0.5");
   record.certificate.stable = false;
-  EXPECT_NE(judgement_text(record, {}).find("unstable, multipliers"), std::string::npos);
+  EXPECT_EQ(second().rfind("stability             unstable, largest multiplier 0.5; ", 0), 0U) << second();
   record.certificate.stable.reset();
   record.certificate.floquet.reset();
-  EXPECT_NE(judgement_text(record, {}).find("not determined\n"), std::string::npos);
+  EXPECT_EQ(second(), "stability             not determined: the multipliers do not tell");
   record.certificate.undefined = "depends on the order";
-  EXPECT_NE(judgement_text(record, {}).find("undefined: depends on the order\n"), std::string::npos);
+  EXPECT_EQ(second(), "stability             undefined: depends on the order");
+  record.certificate = {.status = CertificateStatus::uncertified, .reason = "no time"};
+  EXPECT_EQ(second(), "stability             not determined: no time");
+}
+
+TEST(AnswerText, NamesTheOptionThatGivesAMethodMoreTime) {
+  Record record;
+  record.case_id = "a/b";
+  record.status = Status::timeout;
+  record.message = "the time is up";
+  EXPECT_EQ(answer_text(record, {}), "a/b: timeout\n  the time is up\n  --timeout gives it more time\n");
 }
 
 TEST(JudgementText, SaysWhetherTheOrbitIsReachedFromRest) {

@@ -156,6 +156,19 @@ TEST(SceneGroups, CountMotionsThatNobodyWillMeasure) {
   EXPECT_EQ(standing.reach[1].unstable, 1);
 }
 
+TEST(SceneGroups, RecommendByTheMotionsThatAreNotUnstable) {
+  std::vector<Record> records;
+  add(records, "steady", {1e-3, 1e-3, 1e-3}, 2.0);
+  add(records, "unsteady", {1e-3, 1e-3, 1e-3}, 1.9);
+  records[4].certificate.stable = records[5].certificate.stable = false;
+  EXPECT_EQ(order(scene_groups(Evaluation(records))[0]), (Names{"*steady", "unsteady"}));
+  records[5].certificate.stable.reset();
+  EXPECT_EQ(order(scene_groups(Evaluation(records))[0]), (Names{"*steady", "unsteady"}))
+      << "one scene fewer, not much faster";
+  for (Record& record : records) record.certificate.stable = false;
+  EXPECT_EQ(order(scene_groups(Evaluation(records))[0]), (Names{"unsteady", "steady"}));
+}
+
 TEST(SceneGroups, ShowOneResultOnce) {
   std::vector<Record> records;
   add(records, "first", {1e-3, 1e-3, 1e-3}, 1.0);
