@@ -273,7 +273,7 @@ int tell_motion(const MotionArguments& arguments) {
       const Deadline own = Deadline::after(std::max(0.0, share));
       outcomes.push_back({starts[i].name, starts[i].state,
                           follow_long_motion(dynamics, starts[i].state, arguments.options, own)});
-      outcomes.back().orbit = orbit_of(problem, outcomes.back().motion, Deadline::after(share));
+      outcomes.back().orbit = orbit_of(problem, outcomes.back().motion, own);
     }
   }
   if (interrupted() || outcomes.empty()) return kInterrupted;
@@ -326,7 +326,9 @@ void add_motion_command(const Command& program, int& exit_code) {
   command.option("--exponents", arguments->options.exponents, "Lyapunov exponents, the largest ones, at most")
       .range(1, kMostExponents)
       .shows_default();
-  command.option("--timeout", arguments->timeout, "processor time of all starts [s]")
+  command
+      .option("--timeout", arguments->timeout,
+              "processor time of all starts, the certificates of their orbits included [s]")
       .check(positive_seconds)
       .shows_default();
   command.flag("--json", arguments->json, "print a JSON object; see docs/records.md");
