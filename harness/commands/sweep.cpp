@@ -26,6 +26,7 @@
 #include "harness/terminal/sweep_output.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
+#include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
 
@@ -238,14 +239,13 @@ MethodResponse kept_or_computed(const SweepArguments& arguments, const Scene& sc
   return response;
 }
 
-// Branches of several methods, by arc length where a method has a curve of its own.
-int sweep_branches(const SweepArguments& arguments) {
-  const Scene scene = read_scene(find_scene(arguments.scene));
-  const std::vector<std::string> names = split(arguments.methods, ':');
+// Branches of several methods, by arc length where a method has a curve of its own. \param all  whether each
+// has one
+std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments, const Scene& scene,
+                                                const ParametrisedScene& varied, bool& all) {
   std::vector<MethodChoice> methods;
-  for (const std::string& name : names)
+  for (const std::string& name : split(arguments.methods, ':'))
     methods.push_back({&find_method(name), parse_settings(arguments.settings)});
-  const ParametrisedScene varied = parametrised(arguments, scene);
   for (const MethodChoice& method : methods) {
     if (!arguments.natural && (arguments.parameter != kFrequency || has_curve(method)))
       require_curve(varied, method);
@@ -257,7 +257,7 @@ int sweep_branches(const SweepArguments& arguments) {
                                            .parameter = arguments.parameter,
                                            .at_values = !arguments.range.at.empty()});
   std::vector<MethodResponse> responses;
-  bool all = true;
+  all = true;
   for (const MethodChoice& method : methods) {
     responses.push_back(kept_or_computed(arguments, scene, varied, method, stream, folder));
     const MethodResponse& response = responses.back();
@@ -266,6 +266,14 @@ int sweep_branches(const SweepArguments& arguments) {
     if (interrupted()) break;
   }
   stream.end();
+  return responses;
+}
+
+int sweep_branches(const SweepArguments& arguments) {
+  const Scene scene = read_scene(find_scene(arguments.scene));
+  bool all = true;
+  const std::vector<MethodResponse> responses =
+      branches_of_methods(arguments, scene, parametrised(arguments, scene), all);
   print(arguments, responses);
   if (!arguments.plot.empty()) {
     const auto ordinate =
@@ -277,8 +285,68 @@ int sweep_branches(const SweepArguments& arguments) {
     return kInterrupted;
   }
   if (!all) return kUnexpectedFailure;
-  const bool complete = std::ranges::all_of(responses, [](const MethodResponse& one) { return one.missing.empty(); });
+  const bool complete =
+      std::ranges::all_of(responses, [](const MethodResponse& one) { return one.missing.empty(); });
   return complete ? kDone : kIncomplete;
+}
+
+void print_attractors(const SweepArguments& arguments, const std::vector<MethodResponse>& responses,
+                      const std::vector<AttractorsAt>& found) {
+  if (arguments.format == "json" || arguments.format == "jsonl") {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const AttractorsAt& at : found) list.push_back(to_json(at));
+    if (arguments.format == "jsonl") {
+      for (const auto& at : list) fmt::print("{}\n", json_line(at));
+      return;
+    }
+    nlohmann::ordered_json json = to_json(responses);
+    json["parameter"] = arguments.parameter;
+    json["attractors"] = list;
+    fmt::print("{}\n", json_line(json));
+    return;
+  }
+  if (arguments.format == "text" && !responses.empty()) print(arguments, responses);
+  const std::string title = arguments.parameter == kFrequency ? "frequency [rad/s]" : arguments.parameter;
+  fmt::print("{}", table_text(arguments, attractor_table(found, title)));
+}
+
+// Where trajectories go, over the branches of methods if there are any.
+int sweep_attractors(const SweepArguments& arguments) {
+  if (!arguments.method.empty() || arguments.natural || arguments.out || !arguments.follow.empty())
+    throw UsageError("--method, --natural, --out and --follow (must be left out with --attractors)");
+  const Scene scene = read_scene(find_scene(arguments.scene));
+  if (const std::string obstacle = flow_obstacle(scene.problem); !obstacle.empty())
+    throw UsageError(fmt::format("scene = {} (must be one that is followed through time: {})",
+                                 scene.problem.name, obstacle));
+  const ParametrisedScene varied = parametrised(arguments, scene);
+  const std::vector<double> values = attractor_values(arguments);
+  SweepArguments silent = arguments;
+  silent.format = "json";  // what comes is printed at the end
+  bool all = true;
+  std::vector<MethodResponse> responses;
+  if (!arguments.methods.empty()) responses = branches_of_methods(silent, scene, varied, all);
+  watch_interrupts();
+  AttractorOptions options = arguments.attractors;
+  options.timeout = arguments.limits.timeout;
+  std::vector<AttractorsAt> found;
+  {
+    Progress progress(values.size());
+    progress.begin(scene.problem.name);
+    found = attractors_over(varied, values, options, [&] {
+      progress.advance();
+      progress.begin(scene.problem.name);
+    });
+  }
+  print_attractors(arguments, responses, found);
+  if (!arguments.plot.empty()) {
+    const auto ordinate =
+        arguments.bifurcation ? ResponseOrdinate::once_a_period : ResponseOrdinate::amplitude;
+    write_plot(arguments.plot, response_plot(scene.problem.name, responses, ordinate, arguments.column, found,
+                                             arguments.parameter));
+  }
+  if (interrupted()) return kInterrupted;
+  const bool told = std::ranges::all_of(found, [](const AttractorsAt& at) { return at.failure.empty(); });
+  return all && told ? kDone : kUnexpectedFailure;
 }
 
 // In a process of its own: what is printed of special points over the frequency and a second number.
@@ -331,14 +399,16 @@ int sweep_special_points(const SweepArguments& arguments) {
 
 int sweep(SweepArguments arguments) {
   arguments.range = interval(arguments);
-  if (arguments.method.empty() == arguments.methods.empty())
+  if (arguments.attractors.starts == 0 && arguments.method.empty() == arguments.methods.empty())
     throw UsageError("one of --method and --methods is required");
   if (!arguments.method.empty() && arguments.parameter != kFrequency)
     throw UsageError(
         fmt::format("parameter = {} (must be {} with --method)", arguments.parameter, kFrequency));
-  if (arguments.bifurcation && (arguments.methods.empty() || arguments.natural || arguments.plot.empty()))
-    throw UsageError("bifurcation (must go with --methods by arc length and --plot)");
+  const bool curves = (!arguments.methods.empty() && !arguments.natural) || arguments.attractors.starts > 0;
+  if (arguments.bifurcation && (!curves || arguments.plot.empty()))
+    throw UsageError("bifurcation (must go with --methods by arc length or --attractors, and --plot)");
   if (arguments.resume && !arguments.out) throw UsageError("resume (must go with --out)");
+  if (arguments.attractors.starts > 0) return sweep_attractors(arguments);
   if (!arguments.follow.empty()) return sweep_special_points(arguments);
   return arguments.methods.empty() ? sweep_steps(arguments) : sweep_branches(arguments);
 }

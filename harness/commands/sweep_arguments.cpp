@@ -44,6 +44,19 @@ void add_branch_options(const Command& command, SweepArguments& arguments) {
       "with --plot, by arc length: a bifurcation diagram, the displacement at t = 0 of every forcing period");
 }
 
+void add_attractor_options(const Command& command, SweepArguments& arguments) {
+  command
+      .option(
+          "--attractors", arguments.attractors.starts,
+          "at each value follow the motion from rest and from random states, so many starts in all: where "
+          "they go, to which order or an irregular motion, and how many; drawn over the branches of "
+          "--methods")
+      .range(1, 10000);
+  command.option("--jobs", arguments.attractors.jobs, "with --attractors: values looked at at the same time")
+      .range(1, 1024)
+      .shows_default();
+}
+
 void add_special_point_options(const Command& command, SweepArguments& arguments) {
   command.option("--follow", arguments.follow,
                  "with --methods exact-orbit: curves of these special points over the frequency and a "
@@ -75,6 +88,7 @@ void add_sweep_options(const Command& command, SweepArguments& arguments) {
       .separated_by(',')
       .one_word();
   command.flag("--hz", arguments.hertz, "--from, --to and --at are in Hz");
+  add_attractor_options(command, arguments);
   add_special_point_options(command, arguments);
   command.option("--points", arguments.range.points, "frequencies, both ends included")
       .range(2, 1000000)
@@ -84,7 +98,9 @@ void add_sweep_options(const Command& command, SweepArguments& arguments) {
                "and back again from the last answer: where the ways differ, several motions coexist");
   command.flag("--certify", arguments.limits.certified,
                "look for the orbit behind each answer: whether there is one, and whether it is stable");
-  command.option("--timeout", arguments.limits.timeout, "processor time of one solve [s]")
+  command
+      .option("--timeout", arguments.limits.timeout,
+              "processor time of one solve, with --attractors of all starts at one value [s]")
       .check(positive_seconds)
       .shows_default();
   command
@@ -126,6 +142,17 @@ SweepRange interval(const SweepArguments& given) {
   range.from = *arguments.from;
   range.to = *arguments.to;
   return range;
+}
+
+std::vector<double> attractor_values(const SweepArguments& arguments) {
+  const SweepRange& range = arguments.range;
+  if (arguments.parameter == kFrequency) return sweep_frequencies(range);
+  if (!range.at.empty()) return range.at;
+  if (range.from == range.to) throw UsageError("--from and --to must be different");
+  std::vector<double> values;
+  for (int i = 0; i < range.points; ++i)
+    values.push_back(range.from + (range.to - range.from) * i / (range.points - 1));
+  return values;
 }
 
 nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene& scene) {

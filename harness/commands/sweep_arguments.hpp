@@ -9,6 +9,7 @@
 #include "harness/arguments/arguments.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/report/figures/column.hpp"
+#include "harness/sweep/attractors.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "harness/sweep/frequency_response.hpp"
@@ -34,6 +35,7 @@ struct SweepArguments {
   std::string plot;
   Column column = Column::own;
   bool bifurcation = false;
+  AttractorOptions attractors{.starts = 0};  ///< no starts: not asked for
   std::optional<std::string> out;
   bool resume = false;
   std::vector<std::string> words;  ///< the command line
@@ -46,6 +48,10 @@ void add_sweep_options(const Command& command, SweepArguments& arguments);
 /// largest of the values asked for. \throws UsageError where an end is missing, or a value is not between
 /// them
 SweepRange interval(const SweepArguments& arguments);
+
+/// The values of the parameter at which motions are followed: those asked for, else equally spaced, of a
+/// frequency as sweep_frequencies has them. \throws UsageError
+std::vector<double> attractor_values(const SweepArguments& arguments);
 
 /// All that the answers depend on but methods and code: an object, its keys the names of the options.
 nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene& scene);

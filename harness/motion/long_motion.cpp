@@ -171,6 +171,11 @@ class LongMotionFollower {
     LyapunovSum deviations(dynamics.states(), options_.exponents);
     StopSums sums(dynamics.contact_count());
     bool order_matters = false;
+    // The section is that of t = 0, wherever the motion began.
+    if (FlowRecord unused; state_.time > 0.0) {
+      flow_.advance(state_, period - state_.time, unused);
+      state_.time = 0.0;
+    }
     for (; result_.measured < options_.periods; ++result_.measured) {
       FlowRecord record;
       record.dense = record.tangent = true;

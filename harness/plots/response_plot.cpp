@@ -125,6 +125,23 @@ std::string marks(const std::vector<MethodResponse>& responses, SpecialKind kind
   return lines;
 }
 
+/// Points of the attractors that repeat, or of those that do not.
+std::string attractor_points(const std::vector<AttractorsAt>& all, ResponseOrdinate ordinate, bool repeats) {
+  std::string lines;
+  for (const AttractorsAt& at : all) {
+    for (const Attractor& one : at.attractors) {
+      if (one.verdict == LongRun::undecided || one.verdict == LongRun::unbounded) continue;
+      if (repeats != (one.verdict == LongRun::periodic || one.verdict == LongRun::at_rest)) continue;
+      if (ordinate == ResponseOrdinate::amplitude) {
+        lines += line_of(at.value, {one.amplitude()});
+      } else {
+        for (const double x : one.once_a_period) lines += fmt::format("{:.10g} {:.8g}\n", at.value, x);
+      }
+    }
+  }
+  return lines;
+}
+
 constexpr std::string_view kResponseFrame = R"(set grid back lc rgb '#dddddd' lw 0.5
 set border 3
 set tics nomirror
@@ -134,21 +151,28 @@ set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left r
 }  // namespace
 
 Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
-                     ResponseOrdinate ordinate, Column column) {
+                     ResponseOrdinate ordinate, Column column, const std::vector<AttractorsAt>& attractors,
+                     const std::string& parameter) {
   const bool amplitudes = ordinate == ResponseOrdinate::amplitude;
   // gnuplot's hollow marks.
   constexpr std::array kMarks{
       std::pair{SpecialKind::fold, 10},           std::pair{SpecialKind::period_doubling, 4},
       std::pair{SpecialKind::neimark_sacker, 12}, std::pair{SpecialKind::branch_point, 6},
       std::pair{SpecialKind::grazing, 2},         std::pair{SpecialKind::contact_change, 1}};
-  const bool over_frequency = responses.empty() || responses.front().parameter == kFrequency;
-  const std::string abscissa = over_frequency ? "frequency of the load [rad/s]" : responses.front().parameter;
+  const std::string over = !responses.empty()  ? responses.front().parameter
+                           : parameter.empty() ? std::string(kFrequency)
+                                               : parameter;
+  const std::string abscissa = over == kFrequency ? "frequency of the load [rad/s]" : over;
   Canvas canvas;
   std::size_t entries = 0;  // of the key
   const auto draw = [&](const std::string& lines, const std::string& how) {
     entries += lines.empty() || how.ends_with("notitle") ? 0U : 1U;
     canvas.draw(lines, how);
   };
+  draw(attractor_points(attractors, ordinate, false),
+       "with points lc rgb '#b03030' pt 7 ps 0.25 title 'goes to: irregular or a torus'");
+  draw(attractor_points(attractors, ordinate, true),
+       "with points lc rgb '#303030' pt 6 ps 0.4 title 'goes to: periodic'");
   for (std::size_t i = 0; i < responses.size(); ++i) {
     const MethodResponse& response = responses[i];
     const std::string colour = line_colour(i);

@@ -6,6 +6,7 @@
 
 #include "harness/report/document/section.hpp"
 #include "harness/report/figures/column.hpp"
+#include "harness/sweep/attractors.hpp"
 #include "harness/sweep/branch_response.hpp"
 
 namespace signorini {
@@ -20,7 +21,9 @@ enum class ResponseOrdinate {
 /// Amplitude over the parameter of the branches, of the contact that moves most: a colour per method; stable
 /// parts solid, unstable ones dashed, those of unknown stability thin, steps of the frequency as marks;
 /// special points marked by their kind.
+/// \param attractors  drawn over them as points, by what each is \param parameter  of the attractors
 Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
-                     ResponseOrdinate ordinate = ResponseOrdinate::amplitude, Column column = Column::own);
+                     ResponseOrdinate ordinate = ResponseOrdinate::amplitude, Column column = Column::own,
+                     const std::vector<AttractorsAt>& attractors = {}, const std::string& parameter = {});
 
 }  // namespace signorini

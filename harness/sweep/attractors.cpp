@@ -1,0 +1,208 @@
+#include "harness/sweep/attractors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <utility>
+
+#include "harness/interrupt.hpp"
+#include "harness/isolation/isolation.hpp"
+#include "harness/orbits/orbit_candidate.hpp"
+#include "harness/plan/deadline.hpp"
+#include "harness/plan/plan.hpp"
+#include "harness/text/json.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kPlacing = 1e-10;   // within which a state touches a stop, over the scales [-]
+constexpr std::size_t kDrawn = 300;  // instants of a motion that does not repeat
+
+std::size_t most_moved(const Attractor& attractor) {
+  std::size_t most = 0;
+  const auto width = [&](std::size_t j) { return attractor.largest[j] - attractor.least[j]; };
+  for (std::size_t j = 1; j < attractor.least.size(); ++j)
+    if (width(j) > width(most)) most = j;
+  return most;
+}
+
+/// x of one contact at t = 0 of forcing periods.
+std::vector<double> once_a_period(const LongMotion& motion, std::size_t contact) {
+  std::vector<double> x;
+  if (motion.trajectory) {
+    const Samples samples = motion.trajectory->sample(motion.order);
+    for (int n = 0; n < motion.order; ++n) x.push_back(samples.x(n, static_cast<Eigen::Index>(contact)));
+    return x;
+  }
+  const std::size_t count = std::min(kDrawn, motion.section.size());
+  for (std::size_t n = motion.section.size() - count; n < motion.section.size(); ++n)
+    x.push_back(motion.section[n][2 * contact]);
+  return x;
+}
+
+Attractor attractor_of(const LongMotion& motion) {
+  Attractor found{.verdict = motion.verdict, .order = motion.order, .starts = 1, .reason = motion.reason};
+  for (const StopStatistics& stop : motion.stops) {
+    found.least.push_back(stop.x_min);
+    found.largest.push_back(stop.x_max);
+  }
+  if (!found.least.empty()) found.once_a_period = once_a_period(motion, most_moved(found));
+  return found;
+}
+
+bool equal_extremes(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kSame = 1e-6;
+  double largest = 0.0, difference = 0.0;
+  for (std::size_t j = 0; j < a.size() && j < b.size(); ++j) {
+    largest = std::max({largest, std::abs(a[j]), std::abs(b[j])});
+    difference = std::max(difference, std::abs(a[j] - b[j]));
+  }
+  return difference <= kSame * largest;
+}
+
+bool same_attractor(const Attractor& a, const Attractor& b) {
+  if (a.verdict != b.verdict || a.order != b.order) return false;
+  const bool repeats = a.verdict == LongRun::periodic || a.verdict == LongRun::at_rest;
+  return !repeats || (equal_extremes(a.least, b.least) && equal_extremes(a.largest, b.largest));
+}
+
+void add_attractor(Attractor found, AttractorsAt& at) {
+  const auto known =
+      std::ranges::find_if(at.attractors, [&](const Attractor& one) { return same_attractor(one, found); });
+  if (known == at.attractors.end()) {
+    at.attractors.push_back(std::move(found));
+    return;
+  }
+  ++known->starts;
+}
+
+AttractorsAt follow_starts(const Problem& problem, double value, const AttractorOptions& options) {
+  constexpr LongMotionOptions kFollowed{.transient = 2000, .periods = 1000, .exponents = 1};
+  const Deadline deadline = Deadline::after(options.timeout);
+  const ContactDynamics dynamics(problem);
+  const EventFlow placing(dynamics, kPlacing, {}, Integrator::modal);
+  AttractorsAt at{.value = value};
+  for (int i = 0; i < options.starts; ++i) {
+    std::seed_seq seeds{1U, static_cast<unsigned>(std::max(0, i - 1))};
+    std::mt19937_64 generator(seeds);
+    const FlowState start =
+        i == 0 ? placing.place(0.0, dynamics.at_rest()) : random_state(placing, generator);
+    const double share = deadline.left() / (options.starts - i);
+    Attractor found =
+        attractor_of(follow_long_motion(dynamics, start, kFollowed, Deadline::after(std::max(0.0, share))));
+    found.from_rest = i == 0;
+    ++at.starts;
+    add_attractor(std::move(found), at);
+  }
+  std::ranges::stable_sort(at.attractors,
+                           [](const Attractor& a, const Attractor& b) { return a.starts > b.starts; });
+  return at;
+}
+
+Json attractor_json(const Attractor& one, int starts) {
+  return {{"verdict", name_of(one.verdict)},
+          {"order", one.order > 0 ? Json(one.order) : Json()},
+          {"starts", one.starts},
+          {"share", static_cast<double>(one.starts) / starts},
+          {"from_rest", one.from_rest},
+          {"x_min", one.least},
+          {"x_max", one.largest},
+          {"once_a_period", one.once_a_period},
+          {"reason", one.reason}};
+}
+
+LongRun verdict_of(const std::string& name) {
+  for (int i = 0; i < static_cast<int>(LongRun::undecided); ++i)
+    if (name_of(static_cast<LongRun>(i)) == name) return static_cast<LongRun>(i);
+  return LongRun::undecided;
+}
+
+/// What a process of ours has sent.
+AttractorsAt attractors_from_json(const Json& json) {
+  AttractorsAt at{.value = json.at("value").get<double>(),
+                  .starts = json.at("starts").get<int>(),
+                  .failure = json.at("failure").get<std::string>()};
+  for (const Json& one : json.at("attractors")) {
+    at.attractors.push_back({.verdict = verdict_of(one.at("verdict").get<std::string>()),
+                             .order = one.at("order").is_null() ? 0 : one.at("order").get<int>(),
+                             .starts = one.at("starts").get<int>(),
+                             .from_rest = one.at("from_rest").get<bool>(),
+                             .least = one.at("x_min").get<std::vector<double>>(),
+                             .largest = one.at("x_max").get<std::vector<double>>(),
+                             .once_a_period = one.at("once_a_period").get<std::vector<double>>(),
+                             .reason = one.at("reason").get<std::string>()});
+  }
+  return at;
+}
+
+}  // namespace
+
+double Attractor::amplitude() const {
+  if (least.empty()) return 0.0;
+  const std::size_t most = most_moved(*this);
+  return 0.5 * (largest[most] - least[most]);
+}
+
+std::vector<AttractorsAt> attractors_over(const ParametrisedScene& scene, const std::vector<double>& values,
+                                          const AttractorOptions& options,
+                                          const std::function<void()>& on_done) {
+  std::vector<IsolatedWork> work;
+  for (const double value : values) {
+    work.emplace_back([&scene, &options, value](const LineSender& send) {
+      AttractorsAt at{.value = value};
+      try {
+        at = follow_starts(scene.at(value), value, options);
+      } catch (const std::exception& error) {
+        at.failure = error.what();
+      }
+      send(json_line(to_json(at)));
+    });
+  }
+  const std::vector<ChildEnd> ends = run_isolated_together(
+      work, {.stage_seconds = {enforced(options.timeout) + kQuickSeconds}, .memory_mb = Limits{}.memory_mb},
+      options.jobs, [&](std::size_t, const ChildEnd&) {
+        if (on_done) on_done();
+      });
+  std::vector<AttractorsAt> all;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!ends[i].lines.empty()) {
+      all.push_back(attractors_from_json(parse_json(ends[i].lines.front())));
+    } else if (ends[i].kind != ChildEnd::Kind::interrupted && !interrupted()) {
+      all.push_back({.value = values[i], .failure = describe(ends[i])});
+    }
+  }
+  return all;
+}
+
+Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& parameter) {
+  Table table{.header = {parameter, "goes to", "order", "share", "starts", "amplitude [m]", "from rest"},
+              .rows = {}};
+  for (const AttractorsAt& at : all) {
+    const Cell value(fmt::format("{:.10g}", at.value), at.value);
+    if (!at.failure.empty()) table.rows.push_back({value, at.failure, "-", "-", "-", "-", "-"});
+    for (const Attractor& one : at.attractors) {
+      const double share = static_cast<double>(one.starts) / at.starts;
+      table.rows.push_back({value, std::string(name_of(one.verdict)),
+                            one.order > 0 ? fmt::format("{}", one.order) : std::string("-"),
+                            Cell(fmt::format("{:.2f}", share), share), fmt::format("{}", one.starts),
+                            Cell(fmt::format("{:.6g}", one.amplitude()), one.amplitude()),
+                            one.from_rest ? "yes" : "no"});
+    }
+  }
+  return table;
+}
+
+Json to_json(const AttractorsAt& at) {
+  Json list = Json::array();
+  for (const Attractor& one : at.attractors) list.push_back(attractor_json(one, at.starts));
+  return {{"value", at.value}, {"starts", at.starts}, {"failure", at.failure}, {"attractors", list}};
+}
+
+}  // namespace signorini

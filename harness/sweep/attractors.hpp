@@ -1,0 +1,61 @@
+#pragma once
+// Where trajectories from several starts go, for each value of a number of the scene: the bifurcation diagram
+// by brute force.
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/motion/long_motion.hpp"
+#include "harness/table.hpp"
+#include "methods/curve.hpp"
+
+namespace signorini {
+
+/// What some of the starts go to. Periodic motions and states of rest are told apart by order and extremes of
+/// x, within 1e-6 of the largest; irregular ones are not.
+struct Attractor {
+  LongRun verdict = LongRun::undecided;
+  int order = 0;                                 ///< forcing periods per period; 0 unless periodic
+  int starts = 0;                                ///< that go there
+  bool from_rest = false;                        ///< one of them is rest
+  std::vector<double> least = {}, largest = {};  ///< x of each contact [m]
+  /// x of the contact that moves most at t = 0 of forcing periods [m]
+  std::vector<double> once_a_period = {};
+  std::string reason = {};  ///< of the first start that is undecided
+
+  /// Half of largest less least x of the contact that moves most [m].
+  [[nodiscard]] double amplitude() const;
+};
+
+/// Those at one value.
+struct AttractorsAt {
+  double value = 0.0;                      ///< of the parameter, in its unit
+  int starts = 0;                          ///< followed
+  std::vector<Attractor> attractors = {};  ///< the most starts first
+  std::string failure = {};                ///< why there are none
+};
+
+/// How they are looked for.
+struct AttractorOptions {
+  int starts = 10;        ///< from rest and from random states, those of `motion`; >= 1
+  int jobs = 1;           ///< values looked at at the same time, in processes of their own
+  double timeout = 10.0;  ///< processor time of all starts at one value [s]
+};
+
+/// Follows the motions (`follow_long_motion`) at each of the values. Ends early after an interrupt: values
+/// without starts are then left out.
+/// \param on_done  called as soon as a value is done
+std::vector<AttractorsAt> attractors_over(const ParametrisedScene& scene, const std::vector<double>& values,
+                                          const AttractorOptions& options,
+                                          const std::function<void()>& on_done = {});
+
+/// A row for each attractor. \param parameter  the title of the first column
+Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& parameter);
+
+/// Keys `value`, `starts`, `failure` and `attractors`, a list with `verdict`, `order`, `starts`, `share`,
+/// `from_rest`, `x_min`, `x_max`, `once_a_period`, `reason`.
+nlohmann::ordered_json to_json(const AttractorsAt& at);
+
+}  // namespace signorini
