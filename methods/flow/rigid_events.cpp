@@ -7,6 +7,7 @@
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
 #include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/sparse/sparse_products.hpp"
 
 namespace signorini {
 
@@ -18,6 +19,27 @@ std::optional<Eigen::VectorXd> newton_impulses(const Eigen::MatrixXd& delassus,
   const auto z = solve_small_lcp(delassus, q, std::vector<bool>(static_cast<std::size_t>(q.size()), false));
   if (!z) return std::nullopt;
   return Eigen::VectorXd(-*z);
+}
+
+namespace {
+
+// The damping that a body feels at its contact alone, over its mass there.
+double drag_at(const FlowStructure& structure, int contact) {
+  const auto jump = structure.velocity_per_impulse.col(contact);
+  return jump.dot(sparse_image(structure.damping, jump)) / structure.delassus(contact, contact);
+}
+
+}  // namespace
+
+std::optional<double> left_out_by_chatter(const ContactDynamics& dynamics, int contact, double speed,
+                                          double acceleration, double jerk) {
+  constexpr double kSlowForce = 0.5;  // its rate over that at which impacts fade
+  const double e = dynamics.restitution(contact);
+  if (!(acceleration > 0.0)) return std::nullopt;
+  const double height = 0.5 * speed * speed / acceleration;
+  if (e < 1.0) return height * e / (1.0 - e);
+  const double fading = drag_at(dynamics.structure(), contact) * acceleration;
+  return std::abs(jerk + fading) <= kSlowForce * fading ? std::optional(height) : std::nullopt;
 }
 
 // What the closed rigid stops among those of a mode hold.
@@ -55,11 +77,19 @@ RigidEvents::RigidEvents(const ContactDynamics& dynamics, double tolerance)
 }
 
 // How long the impacts after one of speed v last, if they are carried to their limit at once; else empty.
-std::optional<double> RigidEvents::rest_of_chatter(double e, double v, double a, double jerk) const {
+std::optional<double> RigidEvents::rest_of_chatter(int contact, double v, double a, double jerk) const {
   const MotionScales& scales = dynamics_.scales();
+  const double e = dynamics_.restitution(contact);
   const bool geometric = e > 0.0 && e < 1.0 && a > 0.0;
   const double rest = geometric ? 2.0 * e * v / (a * (1.0 - e)) : 0.0;
   if (v <= tolerance_ * scales.velocity || e == 0.0) return rest;
+  if (e == 1.0 && a > 0.0) {
+    constexpr double kManyFlights = 128.0, kAnyway = 0.1;
+    const bool many = 0.75 * a > kManyFlights * drag_at(dynamics_.structure(), contact) * v;
+    const auto height = left_out_by_chatter(dynamics_, contact, v, a, jerk);
+    const bool faded = height && *height <= (many ? 1.0 : kAnyway) * kFadedHeight * scales.displacement;
+    return faded ? std::optional(0.0) : std::nullopt;
+  }
   if (!geometric) return std::nullopt;
   if (std::abs(jerk) * rest > 0.5 * a) return std::nullopt;  // the force may vanish before the limit
   const double displaced = 0.5 * v * rest;
@@ -84,7 +114,7 @@ void RigidEvents::collide(FlowState& flow, Impact& impact) const {
     const double v = impact.approach[i];
     if (v <= 0.0) continue;
     const auto rest =
-        rest_of_chatter(impact.restitution[i], v, w.dot(impact.acceleration), w.dot(impact.jerk));
+        rest_of_chatter(impact.contacts[index], v, w.dot(impact.acceleration), w.dot(impact.jerk));
     if (!rest) continue;
     impact.restitution[i] = 0.0;
     impact.rest_of_chatter[index] = *rest;

@@ -53,6 +53,27 @@ class StopEvents {
   const ContactDynamics& dynamics_;  ///< of the scene
 };
 
+/// The largest height of elastic impacts that are left out where they fade, over X [-]
+inline constexpr double kFadedHeight = 1e-6;
+
+/// Displacement that is left out where the impacts of contact j after one of speed v are carried to their
+/// limit, contact, at once; empty where they have none. Under a pressing acceleration a:
+///
+/// - e < 1: they form a geometric sequence, over after 2 e v / (a (1 - e)), and e v^2 / (2 a (1 - e)) is left
+///   out
+/// - e = 1: they never end, but the damping that a body feels at its contact alone,
+///   c = W_j^T M^-1 D M^-1 W_j / G_jj, takes away (2/3) (c - a_0'/a) v^2 / a of each one's speed, a_0 = a
+///   without their own part. Where it does so before a_0 changes much, |a_0'| <= a c / 2, they fade like
+///   exp(-c t / 3): no number of them ends in contact, and less and less tells them from it. Their height
+///   v^2 / (2 a) is left out, and of the motion besides only what is of its order.
+///
+/// \param dynamics      of the scene
+/// \param acceleration  a, just before the impact [m/s^2]
+/// \param jerk          a' = a_0' - c a likewise [m/s^3]
+/// \return [m]
+std::optional<double> left_out_by_chatter(const ContactDynamics& dynamics, int contact, double speed,
+                                          double acceleration, double jerk);
+
 /// Impulses p <= 0 of contacts that touch at the same instant, by Newton's law for all of them together:
 /// x'_+ = x'_- + G p satisfies
 ///
@@ -108,7 +129,9 @@ class CompliantEvents final : public StopEvents {
 /// Chatter: with e < 1 and a pressing acceleration a the impacts that follow one of speed v form, as
 /// v -> 0, a geometric sequence of ratio e, over after 2 e v / (a (1 - e)). Once the rest of the sequence
 /// displaces nothing by more than a tenth of tolerance X it is carried to its limit at once: the contact
-/// sticks with its whole momentum as one impulse (error O(v^2)).
+/// sticks with its whole momentum as one impulse (error O(v^2)). With e = 1 they may fade
+/// (`left_out_by_chatter`), and the contact sticks once they are no higher than a tenth of kFadedHeight X, or
+/// than all of it with 3 a / (4 c v) > 128 more impacts before the height has fallen by e.
 class RigidEvents final : public StopEvents {
  public:
   /// \param tolerance  of the integration, relative to the scales of the motion [-]
@@ -138,7 +161,7 @@ class RigidEvents final : public StopEvents {
  private:
   struct Impact;
 
-  [[nodiscard]] std::optional<double> rest_of_chatter(double e, double v, double a, double jerk) const;
+  [[nodiscard]] std::optional<double> rest_of_chatter(int contact, double v, double a, double jerk) const;
   [[nodiscard]] ContactMode held_of(const ContactMode& mode) const;
   void collide(FlowState& flow, Impact& impact) const;
   void log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,

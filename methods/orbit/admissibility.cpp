@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/flow/stop_events.hpp"
 #include "methods/orbit/arc_scan.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 
@@ -132,24 +133,28 @@ struct Check {
           crossing.speeds.maxCoeff() > kAdmissible * dynamics.scales().velocity)
         fail(fmt::format("contact {} pulls at the impact at t = {:.6g} s", named(event.pushed[k]),
                          event.time));
-      law(event, crossing.speeds[row], k, *equations.arcs()[i]);
+      law(i, k, crossing.speeds[row]);
     }
   }
 
-  // The scene's restitution, or the end of a chatter: the impacts after one of speed v last 2 e v / (a (1 -
-  // e)) together, and the displacement of the speed e v over that time is what carrying them to their limit
-  // leaves out.
-  void law(const SequenceEvent& event, double approach, std::size_t k, const LinearArc& arc) {
-    const double e = dynamics.restitution(event.pushed[k]);
+  // The scene's restitution, or the end of a chatter.
+  void law(std::size_t i, std::size_t k, double approach) {
+    constexpr double kBeside = 1.5;  // what a flow beside the orbit has left out, over that of the orbit
+    const SequenceEvent& event = orbit.events[i];
+    const int contact = event.pushed[k];
+    const double e = dynamics.restitution(contact);
     if (event.restitution[k] == e || approach <= kAdmissible * dynamics.scales().velocity) return;
-    const double a = arc.displacement(event.pushed[k], event.time, 2);
-    const double left_out = 0.5 * e * approach * approach / (a * (1.0 - e)) / dynamics.scales().displacement;
-    if (a > 0.0 && e < 1.0 && left_out <= kLeftOut) {
-      result.chatter_error = std::max(result.chatter_error, left_out);
+    const LinearArc& arc = *equations.arcs()[i];
+    const auto rate = [&](int order) { return arc.displacement(contact, event.time, order); };
+    const auto left_out = left_out_by_chatter(dynamics, contact, approach, rate(2), rate(3));
+    const double allowed = (e < 1.0 ? kLeftOut : kBeside * kFadedHeight) * dynamics.scales().displacement;
+    if (left_out && *left_out <= allowed) {
+      double& most = result.chatter_error[static_cast<Eigen::Index>(i)];
+      most = std::max(most, *left_out / dynamics.scales().displacement);
       return;
     }
     fail(fmt::format("contact {} stops at t = {:.6g} s without the chatter that restitution {} calls for",
-                     named(event.pushed[k]), event.time, e));
+                     named(contact), event.time, e));
   }
 };
 
@@ -158,6 +163,7 @@ struct Check {
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
                                const OrbitEquations& equations, const Expired& expired) {
   Check check{.dynamics = model.dynamics, .orbit = orbit, .equations = equations};
+  check.result.chatter_error.setZero(std::ssize(orbit.events));
   check.result.weakest_impact = std::numeric_limits<double>::infinity();
   double begin = orbit.start.time;
   for (std::size_t i = 0; i < orbit.events.size(); ++i) {

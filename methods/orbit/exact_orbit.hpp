@@ -26,9 +26,9 @@ struct Admissibility {
   /// [-].
   double violation = 0.0;
   double weakest_impact = 0.0;  ///< smallest approach speed of an impact, relative to V; 0 without one [-]
-  /// Displacement that the summed rest of a chatter leaves out, over X; 0 where no infinite sequence of
-  /// impacts ends in sticking [-].
-  double chatter_error = 0.0;
+  /// Of each event the displacement that the rest of a chatter leaves out (`left_out_by_chatter`), over X; 0
+  /// where no infinite sequence of impacts ends in sticking, m [-].
+  Eigen::VectorXd chatter_error = {};
   int impacts = 0;  ///< resolved
   /// Contacts of the scene that are taken for open (OpenContacts) and pass their stops, where nothing else is
   /// wrong.
@@ -40,8 +40,8 @@ struct Admissibility {
 /// alive in the guards, local maxima polished by Newton's method, those between two samples found by where
 /// the rate turns), all contacts that an event closes at their stops, approach speeds positive, impulses
 /// compressive, each impact by the scene's law, all to kAdmissible in the scales of the motion. A contact
-/// that stops with e > 0 is accepted as the limit of a chatter if the rest of the geometric sequence
-/// displaces less than kLeftOut X.
+/// that stops with e > 0 is accepted as the limit of a chatter if what `left_out_by_chatter` says is less
+/// than kLeftOut X, of elastic impacts 1.5 kFadedHeight X.
 ///
 /// \param expired  asked before each arc \throws std::runtime_error if the time is up
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
@@ -101,10 +101,10 @@ struct ExactOrbit {
 ///
 /// Converged: residual <= tolerance, or at the round-off of its evaluation (`attainable`, 32 epsilon times
 /// the largest state met). The error bar is the largest row sum of |J^-1|, rows of instants weighted with the
-/// speed there, times residual plus `attainable`; with `second_evaluation` no less than
-/// the distance to a second evaluation: of purely impulsive orbits the motion by the periodic Green's
-/// function at 17 instants, else |J^-1 r'|, r' the residual by matrix exponentials. Failures are outcomes,
-/// never exceptions.
+/// speed there, times residual plus `attainable`; where a chatter ends, what its rest displaces and what
+/// stops moved by as much would change besides; with `second_evaluation` no less than the distance to a
+/// second evaluation: of purely impulsive orbits the motion by the periodic Green's function at 17 instants,
+/// else |J^-1 r'|, r' the residual by matrix exponentials. Failures are outcomes, never exceptions.
 ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
                            const PolishOptions& options = {});
 

@@ -15,6 +15,7 @@
 #include "methods/solvers/condition_estimate.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -66,8 +67,11 @@ bool measure_error(const OrbitModel& model, const OrbitEquations& equations, con
     weight[equations.size() - equations.events() + i] = std::abs(v) / model.dynamics.scales().velocity;
   }
   const Eigen::MatrixXd inverse = weight.asDiagonal() * (family ? family->inverse : lu.inverse());
-  orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() *
-                    (orbit.residual + orbit.attainable + orbit.admissibility.chatter_error);
+  orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() * (orbit.residual + orbit.attainable);
+  const Eigen::VectorXd& left_out = orbit.admissibility.chatter_error;
+  if (left_out.size() > 0 && left_out.maxCoeff() > 0.0)
+    orbit.error_bar +=
+        left_out.maxCoeff() + image(inverse.rightCols(equations.events()).cwiseAbs(), left_out).maxCoeff();
   if (!options.second_evaluation) return family.has_value();
   if (const auto distance = distance_to_green_function(model, *orbit.trajectory)) {
     orbit.error_bar = std::max(orbit.error_bar, *distance);
@@ -107,7 +111,7 @@ void conclude(OrbitModel& model, const OrbitEquations& equations, const PolishOp
   orbit.multipliers = std::move(multipliers.values);
   orbit.undefined = std::move(multipliers.undefined);
   orbit.orders = std::move(multipliers.orders);
-  const bool chatter = found.chatter_error > 0.0;
+  const bool chatter = found.chatter_error.sum() > 0.0;
   orbit.outcome = chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
   const std::vector<int> of_contacts = path.closings();
   const int closings = std::accumulate(of_contacts.begin(), of_contacts.end(), 0);

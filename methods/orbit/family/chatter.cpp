@@ -68,6 +68,7 @@ ResolvedChatter one_step(const ExtendedEquations& equations) {
   for (const ChatterEnd& end : chatter_ends(equations)) {
     if (orbit.events[static_cast<std::size_t>(end.closing)].pushed.size() != 1)
       return {.obstacle = "its impacts are felt by contacts that rest"};
+    if (e == 1.0) return {.obstacle = "elastic impacts that fade have no limit to add to"};
     if (end.left_out > kChatterLeftOut) {
       if (!(end.rest < kMostRest)) return {.obstacle = kChatterLimit};
       auto more = with_one_more(equations, end);

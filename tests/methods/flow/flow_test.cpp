@@ -99,6 +99,28 @@ TEST(EventFlow, CarriesAChatterToItsLimit) {
   }
 }
 
+TEST(EventFlow, ElasticImpactsThatDampingTakesAwayEndInContact) {
+  // A ball with drag, k tiny: flights of speed v lose (2/3) c v^2 / a, so that their height v^2 / (2 a) falls
+  // like exp(-2 c t / 3), once they are short. Without drag the ball bounces for ever.
+  constexpr double kDrag = 2.0;
+  ImpactOscillator o{
+      .damping = kDrag, .stiffness = 1e-12, .load = 0.0, .gap = 0.0, .restitution = 1.0, .static_load = 1.0};
+  const State low{.u = one(-1e-4), .v = one(0.0)};
+  const Problem problem = to_problem(o);
+  const double limit = kFadedHeight * ContactDynamics(problem).scales().displacement;
+  const double expected = std::log(1e-4 / limit) / (2.0 / 3.0 * kDrag);
+  FlowState end;
+  ASSERT_GT(expected, 0.0);
+  const FlowRecord record = flow_of(problem, low, expected + 1.0, end);
+  ASSERT_FALSE(record.events.empty());
+  EXPECT_EQ(record.events.back().kind, ContactEvent::Kind::close);
+  EXPECT_NEAR(record.events.back().time, expected, 0.02 * expected);
+  EXPECT_TRUE(end.closed[0]);
+  o.damping = 0.0;
+  flow_of(to_problem(o), low, 3.0, end);
+  EXPECT_FALSE(end.closed[0]);
+}
+
 TEST(EventFlow, ReleasesAStickingContactWhenItsForceVanishes) {
   // lambda = k g - F cos(w t) < 0 until cos(w t) = g.
   const ImpactOscillator o{.frequency = 0.5, .gap = 0.2, .restitution = 0.0};
