@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <variant>
@@ -32,6 +33,8 @@ constexpr double kLeastShown = 1.0 / 256.0;  // forcing periods that forces may 
 constexpr double kRestitution = 0.1;         // of a coefficient of restitution
 constexpr double kStrongPhase = 0.25;        // of the largest impulse of a phase of its contact
 constexpr double kWeakPhase = 0.05;          // of the same
+constexpr double kFaintPhase = 0.01;         // of the same
+constexpr double kOwnImpulse = 0.5;          // of the impulse of a phase
 constexpr double kShownApart = 6.0;          // resolutions in time: a coarse answer is late by two or three
 constexpr double kLongestApart = 0.15;       // of the forcing period
 constexpr double kLate = 0.05;               // of the forcing period, what an x within 10 % may be late by
@@ -95,14 +98,21 @@ std::vector<Push> above(const std::vector<Push>& pushes, double share) {
   return strong;
 }
 
-/// Whether each push has one of the others at most `late` [s] before or after it, cyclically.
-bool all_met(const std::vector<Push>& pushes, const std::vector<Push>& others, double late, double period) {
+/// Whether the others push at most `late` [s] before or after each push, cyclically, and there with half of
+/// its impulse, `spared` [N s] aside.
+bool all_met(const std::vector<Push>& pushes, const std::vector<Push>& others, double late, double period,
+             double spared) {
   return std::ranges::all_of(pushes, [&](const Push& push) {
-    return std::ranges::any_of(others, [&](const Push& other) {
+    bool any = false;
+    double impulse = spared;
+    for (const Push& other : others) {
       const double centres = 0.5 * (push.begin + push.end - other.begin - other.end);
       const double lengths = 0.5 * (push.end - push.begin + other.end - other.begin);
-      return std::abs(std::remainder(centres, period)) - lengths <= late;
-    });
+      if (std::abs(std::remainder(centres, period)) - lengths > late) continue;
+      any = true;
+      impulse += other.impulse;
+    }
+    return any && impulse >= kOwnImpulse * push.impulse;
   });
 }
 
@@ -127,7 +137,7 @@ double longest_break(const Motion& motion, int contact) {
   return longest > 0.5 * motion.step() ? longest : 0.0;
 }
 
-std::string phase_difference(const Motion& answer, const Motion& orbit, int contact) {
+std::string phase_difference(const Motion& answer, const Motion& orbit, int contact, double moved) {
   const double apart = shown_apart(answer, orbit);
   const double open = longest_break(answer, contact), exact_open = longest_break(orbit, contact);
   if ((open == 0.0 && exact_open > apart) || (exact_open == 0.0 && open > apart))
@@ -143,9 +153,20 @@ std::string phase_difference(const Motion& answer, const Motion& orbit, int cont
                        found_weak.size(), common, exact_weak.size());
   const double late = std::max(apart, kLate * orbit.forcing_period);
   const double period = common * orbit.forcing_period;
-  if (all_met(found_strong, exact_weak, late, period) && all_met(exact_strong, found_weak, late, period))
-    return {};
-  return fmt::format("contact {} pushes at other times than on the orbit", contact);
+  const double anything = std::numeric_limits<double>::infinity();
+  if (!all_met(found_strong, exact_weak, late, period, anything) ||
+      !all_met(exact_strong, found_weak, late, period, anything))
+    return fmt::format("contact {} pushes at other times than on the orbit", contact);
+  // The instant of a weak push is the less certain, the slower the contact comes.
+  const double latest = kLongestApart * orbit.forcing_period;
+  double largest = 0.0;  // of any contact: the error of x is one of all
+  for (const ContactPhase& phase : contact_phases(orbit))
+    largest = std::max(largest, std::abs(phase.impulse));
+  const double spared = kForcePerMotion * moved * largest;
+  if (!all_met(above(found, kOwnForce), above(exact, kFaintPhase), latest, period, spared) ||
+      !all_met(above(exact, kOwnForce), above(found, kFaintPhase), latest, period, spared))
+    return fmt::format("contact {} has a weak push that is none of the orbit's, or misses one", contact);
+  return {};
 }
 
 /// How the forces differ beyond what is allowed where x is off by `moved`; empty where they do not.
@@ -239,7 +260,8 @@ ContactDifference contact_difference(const Problem& problem, const Motion& answe
   }
   for (int c = 0; c < static_cast<int>(contacts); ++c) {
     if (!found.clearly(c) && !exact.clearly(c)) continue;
-    if (const std::string text = phase_difference(answer, orbit, c); !text.empty()) return {.text = text};
+    if (const std::string text = phase_difference(answer, orbit, c, apart.x_l2.value_or(0.0)); !text.empty())
+      return {.text = text};
   }
   if (const std::string text = force_difference(answer, orbit, exact, apart.x_l2.value_or(0.0));
       !text.empty())

@@ -37,7 +37,10 @@ struct ContactDifference {
 ///   coarser of the two resolutions in time, at most 0.15 forcing periods, count as one, since the coarser
 ///   motion shows them as one
 /// - each of those strong phases has one of the other motion beside it, no farther in time than phases that
-///   count as one, or 0.05 forcing periods if that is more.
+///   count as one, or 0.05 forcing periods if that is more
+/// - around each phase of at least 6 %, at most 0.15 forcing periods before or after it, phases of at least
+///   1 % of the other motion push with half of its impulse, less four times the error of x of the largest
+///   impulse of any contact: a force that is small beside another one is told rightly, too.
 ///
 /// They contradict each other if no contact of one touches, and the impulse of the other exceeds 1e-3 k_c X
 /// T.

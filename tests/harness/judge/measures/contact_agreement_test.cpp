@@ -12,14 +12,15 @@ namespace {
 
 constexpr double kPeriod = std::numbers::pi;  // of one_mass(): omega = 2
 
-/// cos 2 t, and impulses that are given by shares of the period and sizes.
-Motion motion(const std::vector<std::pair<double, double>>& impulses, int order = 1) {
+/// size cos 2 t, and impulses that are given by shares of the period and sizes.
+Motion motion(const std::vector<std::pair<double, double>>& impulses, int order = 1, double size = 1.0) {
   std::vector<Impulse> list;
   for (const auto& [share, value] : impulses) list.push_back({0, share * order * kPeriod, -value});
-  return sample_motion(test::one_mass(), test::FormulaMotion(
-                                             order * kPeriod, [](double t) { return std::cos(2.0 * t); },
-                                             [](double t) { return -2.0 * std::sin(2.0 * t); },
-                                             [](double) { return 0.0; }, list));
+  return sample_motion(
+      test::one_mass(),
+      test::FormulaMotion(
+          order * kPeriod, [=](double t) { return size * std::cos(2.0 * t); },
+          [=](double t) { return -2.0 * size * std::sin(2.0 * t); }, [](double) { return 0.0; }, list));
 }
 
 /// cos 2 t and a push over a share of the period that a series of so many harmonics resolves.
@@ -129,6 +130,17 @@ TEST(ContactDifference, AsksForImpactsAtTheirTimes) {
   EXPECT_NE(compared(motion({{0.2, 1.0}}), motion({{0.1, 1.0}, {0.725, 1.0}}, 2)).text, "");
   // Both impacts of the answer beside the same one of the orbit.
   EXPECT_NE(compared(motion({{0.2, 1.0}, {0.23, 1.0}}), motion({{0.21, 1.0}, {0.7, 1.0}})).text, "");
+}
+
+TEST(ContactDifference, AsksForWeakImpactsAtTheirTimesWhereXIsOff) {
+  // Another orbit that strikes again, 0.045 away: within what such an x allows of the force in the mean.
+  const Motion orbit = motion({{0.2, 1.0}, {0.5, 0.13}});
+  const auto text = [&](double share, double impulse) {
+    return compared(motion({{0.2, 1.0}, {share, impulse}}, 1, 0.955), orbit).text;
+  };
+  EXPECT_EQ(text(0.7, 0.1), "contact 0 has a weak push that is none of the orbit's, or misses one");
+  EXPECT_EQ(text(0.56, 0.1), "") << "as late as a slow approach is";
+  EXPECT_NE(text(0.5, 0.005), "") << "none";
 }
 
 TEST(ContactDifference, JoinsPhasesAcrossTheEndOfThePeriod) {
