@@ -155,6 +155,12 @@ std::vector<double> attractor_values(const SweepArguments& arguments) {
   return values;
 }
 
+std::string table_text(const SweepArguments& arguments, const Table& table) {
+  return arguments.format == "csv"  ? to_csv(table)
+         : arguments.format == "md" ? to_markdown(table)
+                                    : to_columns(table);
+}
+
 nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene& scene) {
   const SweepRange& range = arguments.range;
   const CurveLimits& branches = arguments.branches;

@@ -53,6 +53,13 @@ SweepRange interval(const SweepArguments& arguments);
 /// frequency as sweep_frequencies has them. \throws UsageError
 std::vector<double> attractor_values(const SweepArguments& arguments);
 
+/// Every row, in the format of tables that is asked for.
+std::string table_text(const SweepArguments& arguments, const Table& table);
+
+/// `sweep --follow`: special points over the frequency and a second number. \return the exit code \throws
+/// UsageError
+int sweep_special_points(const SweepArguments& arguments);
+
 /// All that the answers depend on but methods and code: an object, its keys the names of the options.
 nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene& scene);
 

@@ -53,6 +53,30 @@ OrbitBranch joined(OrbitBranch backward, const OrbitBranch& forward) {
   return backward;
 }
 
+// What a branch holds of the interval [-].
+double share_of(const OrbitBranch& branch, const ParametrisedScene& scene) {
+  const ParameterRange range = range_of(branch);
+  return (range.high - range.low) / (scene.high() - scene.low());
+}
+
+// A value in the widest part of the interval that no branch reaches, which is noted with those asked before;
+// empty where none is wide.
+std::optional<double> value_to_ask(const std::vector<OrbitBranch>& branches,
+                                   std::vector<ParameterRange>& asked, const ParametrisedScene& scene) {
+  constexpr double kWide = 0.01;    // of the interval
+  constexpr double kInside = 0.47;  // of the gap: nothing special is there
+  constexpr double kApart = 1e-3;   // of the gap, which it parts
+  std::vector<ParameterRange> held = asked;
+  for (const OrbitBranch& branch : branches) held.push_back(range_of(branch));
+  const std::vector<ParameterRange> gaps = uncovered(held, scene.from, scene.to);
+  const auto width = [](const ParameterRange& gap) { return gap.high - gap.low; };
+  const auto widest = std::ranges::max_element(gaps, {}, width);
+  if (widest == gaps.end() || width(*widest) < kWide * (scene.high() - scene.low())) return std::nullopt;
+  const double value = widest->low + kInside * width(*widest);
+  asked.push_back({value, value + kApart * width(*widest)});
+  return value;
+}
+
 class DiagramTracer {
  public:
   DiagramTracer(OrbitFamily& family, const CurveLimits& limits)
@@ -81,19 +105,11 @@ class DiagramTracer {
   // Looks for orbits in what the branches so far leave out of the interval.
   void fill(const OrbitsAt& more) {
     constexpr int kMostTries = 4;
-    constexpr double kWide = 0.01, kInside = 0.47;  // of the interval, and of a gap: nothing special is there
-    const ParametrisedScene& scene = family_.scene();
-    std::vector<ParameterRange> held;  // and where nothing was found
-    std::size_t known = 0;
+    std::vector<ParameterRange> asked;
     for (int i = 0; i < kMostTries && !queue_.is_over(); ++i) {
-      for (; known < queue_.branches().size(); ++known) held.push_back(range_of(queue_.branches()[known]));
-      const std::vector<ParameterRange> gaps = uncovered(held, scene.from, scene.to);
-      const auto width = [](const ParameterRange& gap) { return gap.high - gap.low; };
-      const auto widest = std::ranges::max_element(gaps, {}, width);
-      if (widest == gaps.end() || width(*widest) < kWide * (scene.high() - scene.low())) return;
-      const double value = widest->low + kInside * width(*widest);
-      for (const SequencedOrbit& orbit : more(value)) add_seed(orbit);
-      held.push_back({value, value + 1e-3 * width(*widest)});
+      const auto value = value_to_ask(queue_.branches(), asked, family_.scene());
+      if (!value) return;
+      for (const SequencedOrbit& orbit : more(*value)) add_seed(orbit);
     }
   }
 
@@ -180,12 +196,6 @@ class DiagramTracer {
     leave(curve, start.share);
   }
 
-  // Of the interval.
-  [[nodiscard]] double share_of(const OrbitBranch& branch) const {
-    const auto [least, largest] = std::ranges::minmax_element(branch.points, {}, &SolutionPoint::parameter);
-    return (largest->parameter - least->parameter) / (family_.scene().high() - family_.scene().low());
-  }
-
   void add(CurveStart start, double share) {
     start.share = share;
     queue_.add(std::move(start));
@@ -204,10 +214,10 @@ class DiagramTracer {
     if (auto start = start_doubled(family_, orbit)) add(std::move(*start), share);
   }
 
-  // Queues what begins at the doublings and at the end of a branch. A change of the sequence goes on with the curve, which holds
-  // what was `held` before it, too.
+  // Queues what begins at the doublings and at the end of a branch. A change of the sequence goes on with the
+  // curve, which holds what was `held` before it, too.
   void leave(const TracedCurve& curve, double held = 0.0) {
-    const double share = share_of(curve.branch);
+    const double share = share_of(curve.branch, family_.scene());
     for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit, share);
     for (const auto& [orbit, across] : curve.crossings) cross(orbit, across, share);
     if (curve.meets_half_period) end_here(curve.last);

@@ -1,0 +1,44 @@
+#pragma once
+// Undamped modes, and damping that couples them weakly.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "methods/solvers/extended/matrix.hpp"
+
+namespace signorini {
+
+inline constexpr Eigen::Index kLongDouble = 12;  ///< coordinates up to which extended precision is cheap
+
+/// The undamped modes phi_k: z_k'' + d_k z_k' + sum_j c_kj z_j' + l_k z_k = 0.
+struct RealModes {
+  std::vector<long double> squares;  ///< l_k, n, ascending [1/s^2]
+  std::vector<long double> damping;  ///< d_k, n [1/s]
+  ExtendedMatrix shapes;             ///< phi_k of z, orthonormal, n x n
+  ExtendedMatrix coupling;           ///< c_kj by damping, n x n, zero on its diagonal [1/s]
+};
+
+/// The factor by which digits may cancel between the modes of a structure of so many coordinates.
+double most_cancelled(Eigen::Index coordinates);
+
+/// Modes of damped coordinates in terms of the undamped ones: z = sum_j phi_j y_j, y = sum_k weight_k Re
+/// (shapes_k a_k), a = of_position^T y + of_velocity^T y'.
+struct WeaklyCoupled {
+  Eigen::VectorXcd mu;           ///< Nm, Im >= 0 [1/s]
+  Eigen::VectorXd weight;        ///< Nm: 2 of a pair, 1 of a real mu
+  Eigen::MatrixXcd shapes;       ///< n x Nm
+  Eigen::MatrixXcd of_position;  ///< n x Nm
+  Eigen::MatrixXcd of_velocity;  ///< n x Nm [s]
+};
+
+/// The modes of damping that couples the undamped ones weakly: with y_k = 1,
+///
+///     mu^2 + (d_k + (C y)_k) mu + l_k = 0,   y_j = -mu (C y)_j / (mu^2 + d_j mu + l_j),   j != k,
+///
+/// by repetition, which contracts as much as the coupling is weak: some 1e2 n^3 operations in double for all,
+/// where eigenvectors take some 4e2 n^3. Empty where that does not converge, or a mode is ill-conditioned.
+/// \param rate  of the energy [rad/s]
+std::optional<WeaklyCoupled> weakly_coupled(const RealModes& real, double rate);
+
+}  // namespace signorini
