@@ -113,7 +113,8 @@ int sweep_steps(const SweepArguments& arguments) {
 // The scene with the number asked for left free. \throws UsageError
 ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& scene) {
   const SweepRange& range = arguments.range;
-  if (!range.at.empty() && range.from == range.to && !arguments.natural)
+  const bool followed = !arguments.natural && !arguments.methods.empty();
+  if (!range.at.empty() && range.from == range.to && followed)
     throw UsageError("--from and --to are required with a single value of --at by arc length");
   if (arguments.parameter == kFrequency) {
     (void)sweep_frequencies(range);  // refuses a range that is none

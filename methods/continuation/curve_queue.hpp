@@ -26,16 +26,12 @@ class CurveQueue {
   void add(Start start) { starts_.push_back(std::move(start)); }      ///< to be followed
   void note(std::string text) { notes_.push_back(std::move(text)); }  ///< what is not followed, and why
 
-  /// Takes a start out, one of the shortest period and of these the first, or the first of the largest `Start::share` where it
-  /// has one: of a cascade the branches that hold most of the interval. Empty where none is left or the time is up.
+  /// Takes a start out, one of the shortest period and of these the first; empty where none is left or the
+  /// time is up.
   std::optional<Start> next() {
     if (starts_.empty() || expires()) return std::nullopt;
-    const auto first = std::ranges::min_element(starts_, {}, [](const Start& start) {
-      if constexpr (requires { start.share; })
-        return std::pair(start.periods(), -start.share);
-      else
-        return start.periods();
-    });
+    const auto first =
+        std::ranges::min_element(starts_, {}, [](const Start& start) { return start.periods(); });
     Start start = std::move(*first);
     starts_.erase(first);
     return start;

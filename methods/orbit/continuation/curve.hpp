@@ -35,7 +35,6 @@ struct CurveStart {
   double first_step_share = 1.0;         ///< of the usual length [-]
   /// Two events that coincide there follow each other the other way round than on the branch that was left.
   bool exchanges = false;
-  double share = 1.0;  ///< of the interval that the branch holds from which the curve begins, or which it goes on [-]
 
   [[nodiscard]] int periods() const { return orbit.order; }  ///< of the load
 };

@@ -53,12 +53,6 @@ OrbitBranch joined(OrbitBranch backward, const OrbitBranch& forward) {
   return backward;
 }
 
-// What a branch holds of the interval [-].
-double share_of(const OrbitBranch& branch, const ParametrisedScene& scene) {
-  const ParameterRange range = range_of(branch);
-  return (range.high - range.low) / (scene.high() - scene.low());
-}
-
 // A value in the widest part of the interval that no branch reaches, which is noted with those asked before;
 // empty where none is wide.
 std::optional<double> value_to_ask(const std::vector<OrbitBranch>& branches,
@@ -193,15 +187,10 @@ class DiagramTracer {
     for (const std::string& undecided : curve.notes) note(undecided);
     queue_.keep(curve.branch);
     end_here(start.orbit);
-    leave(curve, start.share);
+    leave(curve);
   }
 
-  void add(CurveStart start, double share) {
-    start.share = share;
-    queue_.add(std::move(start));
-  }
-
-  void double_period(const SequencedOrbit& orbit, double share) {
+  void double_period(const SequencedOrbit& orbit) {
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x)) return;
     const OrbitMark mark = mark_of(equations);
@@ -211,47 +200,44 @@ class DiagramTracer {
       ++too_long_;
       return;
     }
-    if (auto start = start_doubled(family_, orbit)) add(std::move(*start), share);
+    if (auto start = start_doubled(family_, orbit)) queue_.add(std::move(*start));
   }
 
-  // Queues what begins at the doublings and at the end of a branch. A change of the sequence goes on with the
-  // curve, which holds what was `held` before it, too.
-  void leave(const TracedCurve& curve, double held = 0.0) {
-    const double share = share_of(curve.branch, family_.scene());
-    for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit, share);
-    for (const auto& [orbit, across] : curve.crossings) cross(orbit, across, share);
+  // Queues what begins at the doublings and at the end of a branch.
+  void leave(const TracedCurve& curve) {
+    for (const SequencedOrbit& orbit : curve.doublings) double_period(orbit);
+    for (const auto& [orbit, across] : curve.crossings) cross(orbit, across);
     if (curve.meets_half_period) end_here(curve.last);
     if (!curve.guard) return;
     ExtendedEquations equations(family_, curve.last);
     if (!equations.evaluate(curve.last.x)) return;
     const OrbitMark end = mark_of(equations);
     ends_.push_back(end);
-    if (equations.model().dynamics.rigid() && is_grazing(*curve.guard, curve.last))
-      return graze(curve, end, share);
+    if (equations.model().dynamics.rigid() && is_grazing(*curve.guard, curve.last)) return graze(curve, end);
     if (contains(changed_, end)) return;
     changed_.push_back(end);
     ChangeOfSequence change = past_change(family_, curve);
     if (!change.start) return note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
-    add(std::move(*change.start), std::max(share, held));
+    queue_.add(std::move(*change.start));
   }
 
-  void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across, double share) {
+  void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across) {
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x)) return;
     const OrbitMark mark = mark_of(equations);
     if (contains(crossed_, mark, true)) return;
     crossed_.push_back(mark);
-    for (CurveStart& start : start_crossing(family_, orbit, across)) add(std::move(start), share);
+    for (CurveStart& start : start_crossing(family_, orbit, across)) queue_.add(std::move(start));
   }
 
-  void graze(const TracedCurve& curve, const OrbitMark& end, double share) {
+  void graze(const TracedCurve& curve, const OrbitMark& end) {
     const auto grazing = grazing_orbit(family_, curve);
     if (!grazing) return note("a grazing orbit cannot be evaluated");
     if (contains(grazings_, grazing->mark)) return;
     grazings_.push_back(grazing->mark);
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
     if (!end.same(grazing->mark)) {
-      if (auto start = start_clear(family_, *grazing)) add(std::move(*start), share);
+      if (auto start = start_clear(family_, *grazing)) queue_.add(std::move(*start));
     }
     if (!grazing->obstacle.empty())
       return note(fmt::format("{}: {}; not followed", where, grazing->obstacle));
@@ -263,7 +249,7 @@ class DiagramTracer {
         note(fmt::format("{}: more than {} events in a period; not followed", where, kMostEvents));
         continue;
       }
-      add(std::move(start), share);
+      queue_.add(std::move(start));
     }
   }
 

@@ -77,8 +77,9 @@ Problem tube_between_stops() {
     stops += "[[contact]]\ndof = " + dof + "\ngap = 0.406e-3\n[[contact]]\nnormal = [[" + dof +
              ", -1.0]]\ngap = 0.406e-3\n";
   }
-  return oscillator(R"(system = { kind = "beam", elements = 48, length = 2.436, area = 5.32892653865e-05,
-inertia = 1.45802760677e-09, young = 2.07e11, density = 7870.0, damping = { alpha = 0.1526, beta = 1.79e-5 } }
+  return oscillator(R"(system = { kind = "beam", elements = 48, length = 2.436, area = 5.32892653865e-05, )"
+                    R"(inertia = 1.45802760677e-09, young = 2.07e11, density = 7870.0, )"
+                    R"(damping = { alpha = 0.1526, beta = 1.79e-5 } }
 forcing = { frequency = 251.2, term = [)" +
                     terms + "] }\nlaw = { penalty = 1e5 }\n" + stops);
 }

@@ -1,5 +1,6 @@
 #include "harness/records/line_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -79,7 +80,8 @@ TEST(AppendLine, AddsWholeLinesToWhatIsThere) {
     append_line(descriptor, "three", file);
   }
   EXPECT_EQ(read_file(file), "one\ntwo\nthree\n");
-  const Descriptor full = open_to_append("/dev/full");
+  EXPECT_THROW((void)open_to_append("/dev/full"), UsageError);
+  const Descriptor full(open("/dev/full", O_WRONLY | O_CLOEXEC));
   EXPECT_THROW(append_line(full, "four", "/dev/full"), UsageError);
 }
 
