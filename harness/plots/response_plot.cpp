@@ -197,7 +197,8 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
       draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}", mark,
                                                gnuplot_string(describe(kind))));
   const auto asked = responses.empty() ? std::nullopt : responses.front().asked;
-  const std::string axis = asked ? fmt::format("set xrange [{:.10g}:{:.10g}]\n", asked->low, asked->high) : "";
+  const std::string axis =
+      asked ? fmt::format("set xrange [{:.10g}:{:.10g}]\n", asked->low, asked->high) : "";
   constexpr double kUsualWidth = 16.0, kUsualPanel = 9.2, kNarrowPanel = 6.0, kAxis = 1.3;  // [cm]
   const int columns = is_narrow(column) ? 1 : 3;
   const double panel = is_narrow(column) ? kNarrowPanel : kUsualPanel;

@@ -43,8 +43,8 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
 /// The points of a branch where the parameter has one of several values; special points and ends stay.
 Branch points_at(const Branch& branch, const std::vector<double>& values);
 
-/// Parts of an interval at which no branch has a motion, as `uncovered` of ranges. Neighbouring points of a branch are taken to be
-/// joined. \param from, to  ends of the interval, in either order
+/// Parts of an interval at which no branch has a motion, as `uncovered` of ranges. Neighbouring points of a
+/// branch are taken to be joined. \param from, to  ends of the interval, in either order
 std::vector<ParameterRange> uncovered(const std::vector<Branch>& branches, double from, double to);
 
 /// What one method makes of a response: its branches, or the points of its steps.
@@ -64,11 +64,12 @@ struct MethodResponse {
 /// "aft-hbm", or with the law that the method represents where that is not the scene's, "aft-hbm, e = 1".
 std::string name_with_law(const MethodResponse& response);
 
-/// "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)"; empty where nothing is missing
+/// "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)";
+/// empty where nothing is missing
 std::string incompleteness(const MethodResponse& response);
 
-/// {"parameter", "branches", "unfinished", "notes", "incomplete"}, branches as to_json of a Branch has them. Points of
-/// natural steps are {"omega", "order", "amplitude", "x_max", "status", "stable"}.
+/// {"parameter", "branches", "unfinished", "notes", "incomplete"}, branches as to_json of a Branch has them.
+/// Points of natural steps are {"omega", "order", "amplitude", "x_max", "status", "stable"}.
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
 /// One row per point and, unless points at values were asked for, special point, in the order of the

@@ -156,8 +156,7 @@ class ImpactClosing {
       Eigen::VectorXcd struck = Eigen::VectorXcd::Zero(lambda.cols());
       for (int k = 0; k < impacts.count(); ++k)
         struck[impacts.contacts[static_cast<std::size_t>(k)]] -=
-            impacts.moments(1, k) *
-            std::polar(1.0, -kTwoPi * static_cast<double>(n) * impacts.moments(0, k));
+            impacts.moments(1, k) * std::polar(1.0, -kTwoPi * static_cast<double>(n) * impacts.moments(0, k));
       const Eigen::MatrixXcd& C = seen.receptance[static_cast<std::size_t>(n)];
       moved += (n == 0 ? 1.0 : 2.0) * (C * (lambda.row(n).transpose() - struck)).squaredNorm();
       if (n == 0) mean = (seen.free_response.row(0).transpose() + C * struck).squaredNorm();

@@ -48,7 +48,8 @@ class Beginnings {
 
   /// Why `find` has found none.
   [[nodiscard]] std::string reason() const {
-    if (!family_.driven()) return "no free motion was found to begin from: those of one impact on a rigid stop are looked for";
+    if (!family_.driven())
+      return "no free motion was found to begin from: those of one impact on a rigid stop are looked for";
     return "no orbit was found to begin from" + (refusal_.empty() ? "" : ": " + refusal_);
   }
 

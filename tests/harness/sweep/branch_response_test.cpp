@@ -244,8 +244,9 @@ TEST(Incompleteness, SaysWhatIsMissingAndWhatGoesOn) {
   EXPECT_EQ(incompleteness(response), "");
   response.missing = {{84.6, 120.0}};
   response.diagram.unfinished = "limit of 60 branches";
-  EXPECT_EQ(incompleteness(response),
-            "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)");
+  EXPECT_EQ(
+      incompleteness(response),
+      "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)");
 }
 
 }  // namespace
