@@ -148,17 +148,18 @@ set tics nomirror
 set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left reverse samplen 2 font ',8'
 )";
 
+// gnuplot's hollow marks.
+constexpr std::array kMarks{
+    std::pair{SpecialKind::fold, 10},           std::pair{SpecialKind::period_doubling, 4},
+    std::pair{SpecialKind::neimark_sacker, 12}, std::pair{SpecialKind::branch_point, 6},
+    std::pair{SpecialKind::grazing, 2},         std::pair{SpecialKind::contact_change, 1}};
+
 }  // namespace
 
 Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
                      ResponseOrdinate ordinate, Column column, const std::vector<AttractorsAt>& attractors,
                      const std::string& parameter) {
   const bool amplitudes = ordinate == ResponseOrdinate::amplitude;
-  // gnuplot's hollow marks.
-  constexpr std::array kMarks{
-      std::pair{SpecialKind::fold, 10},           std::pair{SpecialKind::period_doubling, 4},
-      std::pair{SpecialKind::neimark_sacker, 12}, std::pair{SpecialKind::branch_point, 6},
-      std::pair{SpecialKind::grazing, 2},         std::pair{SpecialKind::contact_change, 1}};
   const std::string over = !responses.empty()  ? responses.front().parameter
                            : parameter.empty() ? std::string(kFrequency)
                                                : parameter;

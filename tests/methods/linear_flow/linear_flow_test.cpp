@@ -41,6 +41,35 @@ double defect(const ContactDynamics& dynamics, const LinearArc& arc, double from
   return worst / scale;
 }
 
+// All outputs together are what each is alone, at one instant to the bit.
+void expect_outputs_together(const ContactDynamics& dynamics, const LinearArc& arc) {
+  const std::vector<double> times{0.3, 1.7, 40.0};
+  const std::vector<Eigen::MatrixXd> outputs = arc.outputs(times, 2);
+  ASSERT_EQ(outputs.size(), 3U);
+  for (int order = 0; order <= 2; ++order) {
+    const Eigen::MatrixXd& values = outputs[static_cast<std::size_t>(order)];
+    const double scale = 1e-13 * (1.0 + values.cwiseAbs().maxCoeff());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      Eigen::Index row = 0;
+      for (int j = 0; j < dynamics.contact_count(); ++j)
+        EXPECT_NEAR(values(row++, column), arc.displacement(j, times[i], order), scale);
+      for (const int j : arc.mode().active)
+        EXPECT_NEAR(values(row++, column), arc.force(j, times[i], order), scale);
+      EXPECT_EQ(row, values.rows());
+    }
+  }
+  const Eigen::MatrixXd at_once = arc.outputs_at(1.7, 5);
+  ASSERT_EQ(at_once.cols(), 6);
+  for (int order = 0; order <= 5; ++order) {
+    Eigen::Index row = 0;
+    for (int j = 0; j < dynamics.contact_count(); ++j)
+      EXPECT_EQ(at_once(row++, order), arc.displacement(j, 1.7, order));
+    for (const int j : arc.mode().active) EXPECT_EQ(at_once(row++, order), arc.force(j, 1.7, order));
+    EXPECT_EQ(row, at_once.rows());
+  }
+}
+
 void expect_flow(const Problem& problem, const std::vector<bool>& closed, FlowForm form,
                  const std::string& name) {
   SCOPED_TRACE(name);
@@ -69,33 +98,7 @@ void expect_flow(const Problem& problem, const std::vector<bool>& closed, FlowFo
       EXPECT_NEAR(arc.displacement(j, 1.7, k), x, 1e-11 * (1.0 + motion.u.col(k).cwiseAbs().maxCoeff()));
     }
   }
-  // All outputs together are what each is alone.
-  const std::vector<double> times{0.3, 1.7, 40.0};
-  const std::vector<Eigen::MatrixXd> outputs = arc.outputs(times, 2);
-  ASSERT_EQ(outputs.size(), 3U);
-  for (int order = 0; order <= 2; ++order) {
-    const Eigen::MatrixXd& values = outputs[static_cast<std::size_t>(order)];
-    const double scale = 1e-13 * (1.0 + values.cwiseAbs().maxCoeff());
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      const auto column = static_cast<Eigen::Index>(i);
-      Eigen::Index row = 0;
-      for (int j = 0; j < dynamics.contact_count(); ++j)
-        EXPECT_NEAR(values(row++, column), arc.displacement(j, times[i], order), scale);
-      for (const int j : arc.mode().active)
-        EXPECT_NEAR(values(row++, column), arc.force(j, times[i], order), scale);
-      EXPECT_EQ(row, values.rows());
-    }
-  }
-  // To the bit at one instant.
-  const Eigen::MatrixXd at_once = arc.outputs_at(1.7, 5);
-  ASSERT_EQ(at_once.cols(), 6);
-  for (int order = 0; order <= 5; ++order) {
-    Eigen::Index row = 0;
-    for (int j = 0; j < dynamics.contact_count(); ++j)
-      EXPECT_EQ(at_once(row++, order), arc.displacement(j, 1.7, order));
-    for (const int j : arc.mode().active) EXPECT_EQ(at_once(row++, order), arc.force(j, 1.7, order));
-    EXPECT_EQ(row, at_once.rows());
-  }
+  expect_outputs_together(dynamics, arc);
   // The transition matrix: two arcs differ by it, exactly, for the motion is linear.
   State moved = start;
   moved.u += 0.1 * random_state(dynamics.size()).v;
