@@ -184,7 +184,7 @@ Json motion_json(const Problem& problem, const std::vector<Outcome>& outcomes) {
 }
 
 std::string text_of(const Estimate& estimate) {
-  if (!std::isfinite(estimate.value)) return "minus infinity";
+  if (!std::isfinite(estimate.value)) return "deviations vanish";
   return fmt::format("{:.4g} +- {:.1g}", estimate.value, estimate.error);
 }
 

@@ -83,7 +83,7 @@ def pairs(program, random, count, folder, findings):
                 calls.append((kind, [words[0], file, *words[1:], *itertools.chain(*chosen)]))
     for kind, arguments in random.sample(calls, min(count, len(calls))):
         outcome = campaign.count(program.run(arguments, folder, seconds=60.0))
-        found = program.violations(outcome, codes=(0, 1, 2), given=" ".join(arguments).encode())
+        found = program.violations(outcome, codes=(0, 1, 2, 6), given=" ".join(arguments).encode())
         if outcome.code == 1 and not outcome.err.strip() and not outcome.out.strip():
             found.append("fails without a word")
         campaign.judge(found, f"{kind}: {' '.join(arguments)}")
