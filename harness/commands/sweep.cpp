@@ -138,12 +138,6 @@ MethodResponse blank_response(const SweepArguments& arguments, const Scene& scen
                                   .high = std::max(arguments.range.from, arguments.range.to)}};
 }
 
-// What branches by arc length leave out of the interval.
-void take_missing(const SweepArguments& arguments, MethodResponse& response) {
-  if (!response.diagram.branches.empty() && !response.at_values)
-    response.missing = uncovered(response.diagram.branches, arguments.range.from, arguments.range.to);
-}
-
 // Prints what a folder has kept as it would have come.
 void replay(const MethodResponse& response, ResponseStream& stream) {
   for (const Branch& branch : response.diagram.branches) stream.branch(response, branch);
@@ -188,7 +182,6 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
   }
   response.diagram = std::move(own->diagram);
   response.failure = std::move(own->failure);
-  take_missing(arguments, response);
   for (Branch& branch : response.diagram.branches) {
     if (!values.empty()) branch = points_at(branch, values);
   }
@@ -204,9 +197,9 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
   if (arguments.format == "text") fmt::print("{}", sweep_text(responses));
   for (const MethodResponse& response : responses) {
     for (const std::string& note : response.diagram.notes) fmt::print(stderr, "{}\n", note);
-    const std::string missing = incompleteness(response);
-    if (!missing.empty())
-      fmt::print(stderr, "{}\n", missing);
+    const std::string left_out = incompleteness(response);
+    if (!left_out.empty())
+      fmt::print(stderr, "{}\n", left_out);
     else if (!response.diagram.unfinished.empty())
       fmt::print(stderr, "{}\n", response.diagram.unfinished);
   }
@@ -221,7 +214,6 @@ MethodResponse kept_or_computed(const SweepArguments& arguments, const Scene& sc
     MethodResponse response = blank_response(arguments, scene, method);
     response.diagram = std::move(kept->diagram);
     response.steps = std::move(kept->steps);
-    take_missing(arguments, response);
     replay(response, stream);
     return response;
   }
@@ -278,7 +270,7 @@ int sweep_branches(const SweepArguments& arguments) {
   }
   if (!all) return kUnexpectedFailure;
   const bool complete =
-      std::ranges::all_of(responses, [](const MethodResponse& one) { return one.missing.empty(); });
+      std::ranges::all_of(responses, [](const MethodResponse& one) { return missing(one).empty(); });
   return complete ? kDone : kIncomplete;
 }
 

@@ -146,17 +146,20 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
   return found;
 }
 
-std::vector<ParameterRange> uncovered(const std::vector<Branch>& branches, double from, double to) {
+std::vector<ParameterRange> missing(const MethodResponse& response) {
+  const std::vector<Branch>& branches = response.diagram.branches;
+  if (!response.asked || response.at_values || branches.empty()) return {};
   std::vector<ParameterRange> held;
   for (const Branch& branch : branches)
     if (!branch.points.empty()) held.push_back(range_of(branch));
-  return uncovered(std::move(held), from, to);
+  return uncovered(std::move(held), response.asked->low, response.asked->high);
 }
 
 std::string incompleteness(const MethodResponse& response) {
-  if (response.missing.empty()) return {};
+  const std::vector<ParameterRange> left_out = missing(response);
+  if (left_out.empty()) return {};
   std::string parts;
-  for (const ParameterRange& part : response.missing)
+  for (const ParameterRange& part : left_out)
     parts += fmt::format("{}from {:.6g} to {:.6g}", parts.empty() ? "" : ", ", part.low, part.high);
   const std::string& reason = response.diagram.unfinished;
   const char* const option = reason.starts_with("limit of") ? " (--max-branches goes on)"
@@ -181,7 +184,7 @@ Json to_json(const std::vector<MethodResponse>& responses) {
     if (!response.steps.empty()) branches.push_back(steps_json(response));
     if (unfinished.empty()) unfinished = response.diagram.unfinished;
     parameter = response.parameter;
-    for (const ParameterRange& part : response.missing)
+    for (const ParameterRange& part : missing(response))
       incomplete.push_back({{"method", response.method},
                             {"from", part.low},
                             {"to", part.high},

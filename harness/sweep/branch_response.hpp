@@ -43,10 +43,6 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
 /// The points of a branch where the parameter has one of several values; special points and ends stay.
 Branch points_at(const Branch& branch, const std::vector<double>& values);
 
-/// Parts of an interval at which no branch has a motion, as `uncovered` of ranges. Neighbouring points of a
-/// branch are taken to be joined. \param from, to  ends of the interval, in either order
-std::vector<ParameterRange> uncovered(const std::vector<Branch>& branches, double from, double to);
-
 /// What one method makes of a response: its branches, or the points of its steps.
 struct MethodResponse {
   std::string method;                               ///< label of the choice
@@ -58,11 +54,15 @@ struct MethodResponse {
   bool at_values = false;                           ///< the branches hold points_at values only
   std::string failure = {};                         ///< of a process that ended early
   std::optional<ParameterRange> asked = {};         ///< the interval
-  std::vector<ParameterRange> missing = {};         ///< `uncovered` of it, of branches by arc length
 };
 
 /// "aft-hbm", or with the law that the method represents where that is not the scene's, "aft-hbm, e = 1".
 std::string name_with_law(const MethodResponse& response);
+
+/// Parts of the interval asked for at which no branch by arc length has a motion (`uncovered`); neighbouring
+/// points of a branch are taken to be joined. None without a branch, or of branches that hold points at
+/// values only.
+std::vector<ParameterRange> missing(const MethodResponse& response);
 
 /// "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)";
 /// empty where nothing is missing

@@ -39,10 +39,10 @@ class Beginnings {
     return std::move(orbits_);
   }
 
-  /// What the method answers at a value of the parameter.
+  /// What the method answers at a value of the parameter, within a share of the time that is left.
   std::vector<SequencedOrbit> answers_at(double parameter) {
     orbits_.clear();
-    if (family_.driven()) add_answer(parameter);
+    if (family_.driven()) add_answer(parameter, Deadline::first_of(limits_.deadline, share_of_time()));
     return std::move(orbits_);
   }
 
@@ -60,14 +60,18 @@ class Beginnings {
   }
 
   void add_answers() {
-    constexpr double kShare = 0.1;  // of the time, for those inside
-    const Deadline share = Deadline::after(std::max(0.0, kShare * limits_.deadline.left()));
-    add_answer(family_.scene().from);
-    add_answer(family_.scene().to);
-    for (int i = 0; i < kValues && !share.passed(); ++i) add_answer(value_inside(i));
+    const Deadline share = share_of_time();  // for those inside
+    add_answer(family_.scene().from, limits_.deadline);
+    add_answer(family_.scene().to, limits_.deadline);
+    for (int i = 0; i < kValues && !share.passed(); ++i) add_answer(value_inside(i), limits_.deadline);
   }
 
-  void add_answer(double parameter) {
+  [[nodiscard]] Deadline share_of_time() const {
+    constexpr double kShare = 0.1;
+    return Deadline::after(std::max(0.0, kShare * limits_.deadline.left()));
+  }
+
+  void add_answer(double parameter, const Deadline& deadline) {
     const Problem problem = family_.scene().at(parameter);
     if (limits_.expired() || prefers_reduction(problem)) return;
     if (const Support support = method_.supports(problem); !support.ok) {
@@ -75,7 +79,7 @@ class Beginnings {
       return;
     }
     try {
-      const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = limits_.deadline});
+      const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = deadline});
       if (solution.verdict == Verdict::converged)
         add({parameter, solution.trajectory});
       else

@@ -242,7 +242,8 @@ TEST(ExactBranches, OfRandomScenesAreTheirOrbits) {
 TEST(Incompleteness, SaysWhatIsMissingAndWhatGoesOn) {
   MethodResponse response{.method = "exact-orbit"};
   EXPECT_EQ(incompleteness(response), "");
-  response.missing = {{84.6, 120.0}};
+  response.asked = {.low = 60.0, .high = 120.0};
+  response.diagram.branches = {{.points = {{.parameter = 60.0}, {.parameter = 84.6}}}};
   response.diagram.unfinished = "limit of 60 branches";
   EXPECT_EQ(
       incompleteness(response),
