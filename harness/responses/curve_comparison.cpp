@@ -64,19 +64,6 @@ SpecialKind kind_of(const LocatedPoint& point) {
   return point.kind == SpecialKind::contact_change ? SpecialKind::grazing : point.kind;
 }
 
-/// Each point once: two branches that meet have both located it.
-std::vector<LocatedPoint> distinct(std::vector<LocatedPoint> points, double window) {
-  constexpr double kSame = 1e-6;  // of the window
-  const auto key = [](const LocatedPoint& p) { return std::tuple(kind_of(p), p.order, p.frequency); };
-  std::ranges::sort(points, {}, key);
-  const auto same = [&](const LocatedPoint& a, const LocatedPoint& b) {
-    return kind_of(a) == kind_of(b) && a.order == b.order &&
-           std::abs(a.frequency - b.frequency) <= kSame * window;
-  };
-  points.erase(std::unique(points.begin(), points.end(), same), points.end());
-  return points;
-}
-
 void match_points(std::vector<LocatedPoint> exact, std::vector<LocatedPoint> located, double window,
                   CurveComparison& result) {
   constexpr double kReach = 0.05;  // of the window
@@ -103,6 +90,18 @@ void match_points(std::vector<LocatedPoint> exact, std::vector<LocatedPoint> loc
 }
 
 }  // namespace
+
+std::vector<LocatedPoint> distinct_points(std::vector<LocatedPoint> points, double window) {
+  constexpr double kSame = 1e-6;  // of the window
+  const auto key = [](const LocatedPoint& p) { return std::tuple(kind_of(p), p.order, p.frequency); };
+  std::ranges::sort(points, {}, key);
+  const auto same = [&](const LocatedPoint& a, const LocatedPoint& b) {
+    return kind_of(a) == kind_of(b) && a.order == b.order &&
+           std::abs(a.frequency - b.frequency) <= kSame * window;
+  };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  return points;
+}
 
 std::vector<ResponseBranch> beside_branches(const ResponseCurve& branches, const ResponseCurve& steps,
                                             const ResponseMetric& metric, double window) {
@@ -148,7 +147,8 @@ CurveComparison compare_curves(const ResponseCurve& exact, const ResponseCurve& 
     if (result.length > 0.0) shares->false_share = 1.0 - of_claimed.length / result.length;
     result.right_length = of_claimed.length;  // that of the wider tolerance, which comes last
   }
-  match_points(distinct(exact.located, window), distinct(curve.located, window), window, result);
+  match_points(distinct_points(exact.located, window), distinct_points(curve.located, window), window,
+               result);
   return result;
 }
 

@@ -10,6 +10,10 @@ namespace signorini {
 /// The tolerances at which responses are compared, in the metric: 2 % and 5 %.
 inline constexpr double kCloseTolerance = 0.02, kWideTolerance = 0.05;
 
+/// Located points, each once: two branches that meet have both located it. Of one kind and order, as of
+/// `compare_curves`, within 1e-6 of the window.
+std::vector<LocatedPoint> distinct_points(std::vector<LocatedPoint> points, double window);
+
 /// What steps of the frequency found that lies on none of the branches, farther than kCloseTolerance, each
 /// motion once: in the order of the steps, with a gap wherever one lies on a branch or stands there already.
 std::vector<ResponseBranch> beside_branches(const ResponseCurve& branches, const ResponseCurve& steps,

@@ -83,7 +83,7 @@ void take_curve(const ResponseCurve& curve, Record& record) {
     response.points += static_cast<int>(branch.points.size());
   record.status = response.points > 0 ? Status::converged : Status::not_converged;
   for (const std::string& end : curve.open_ends) response.open_ends.push_back(as_message(end));
-  response.located = curve.located;
+  response.located = distinct_points(curve.located, window_of(response.question));
   response.branches = drawn(curve);
 }
 
