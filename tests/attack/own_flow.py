@@ -71,7 +71,8 @@ def laws_of(law, contacts):
 class Flow:
     """State z: u, u', then cos and sin of each harmonic of the load. `law` as records have it."""
 
-    def __init__(self, scene, law):
+    def __init__(self, scene, law, most_events=MOST_EVENTS):
+        self.most_events = most_events
         M, self.D, self.K = matrices(scene["system"])
         laws = laws_of(law, len(scene["contact"]))
         if any("damping" in one or "massless" in one for one in laws) or np.linalg.cond(M) > 1e12:
@@ -167,12 +168,14 @@ class Flow:
                 return z, held
         return z, closed
 
-    def period_map(self, z, periods, keep=None):
-        """z after so many forcing periods; the contact coordinates of each step go into `keep`."""
+    def period_map(self, z, periods, keep=None, struck=None):
+        """z after so many forcing periods; the contact coordinates of each step go into `keep`, contact and instant (in forcing
+        periods) of each event into `struck`."""
         events = 0
         closed = tuple(c for c, spring in enumerate(self.spring)
                        if spring is not None and self.normals[c] @ z[:self.size] > self.gaps[c])
-        for _ in range(periods * STEPS):
+        for step in range(periods * STEPS):
+            events *= step % STEPS > 0
             if keep is not None:
                 keep.append(self.normals @ z[:self.size])
             done = 0.0
@@ -191,12 +194,14 @@ class Flow:
                     break
                 z = steps[HALVINGS] @ z
                 done += 0.5**HALVINGS
+                events += 1
+                if events > self.most_events:  # those at rest, too, that rounding takes for new ones
+                    raise Lost
                 changed = self.event(z, closed)
                 if changed is not None:
                     z, closed = self.change(z, changed, closed)
-                    events += 1
-                    if events > MOST_EVENTS * periods:
-                        raise Lost
+                    if struck is not None:
+                        struck.append((changed, (step + done) / STEPS))
         return z
 
     def orbit_from(self, u, v, time, periods):

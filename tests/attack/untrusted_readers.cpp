@@ -88,7 +88,7 @@ bool attack_scene(std::string_view text) {
     TomlNode document = parse_toml(text, "attack.toml");
     const std::vector<std::string> levels = family_labels(document, "attack.toml");
     const std::string level = levels.empty() ? "" : levels.back();
-    static_cast<void>(choose_level(document, "attack.toml", level));
+    static_cast<void>(choose_variant(document, "attack.toml", level));
     if (!is_small(document)) return false;
     const Problem problem = parse_scene(text, "attack.toml", level);
     // What finite elements are by construction is looked at here.
