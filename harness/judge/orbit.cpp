@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "harness/files.hpp"
 #include "harness/judge/measures/impacts.hpp"
@@ -34,6 +36,17 @@ std::string rounded(double value, double noise) {
 /// Root mean square about the mean, which a shift of the origin leaves as it is.
 double fluctuation(const Eigen::Ref<const Eigen::VectorXd>& x) {
   return std::sqrt((x.array() - x.mean()).square().mean());
+}
+
+/// How two contacts that move alike move beside each other: empty where they do so together, or opposite to
+/// each other.
+std::string phase_between(const Eigen::Ref<const Eigen::VectorXd>& a,
+                          const Eigen::Ref<const Eigen::VectorXd>& b) {
+  const double alone = fluctuation(a);
+  const double sum = fluctuation(a + b);
+  constexpr double kAlike = 1e-6;  // of the motion
+  return std::abs(sum - 2.0 * alone) <= kAlike * alone || sum <= kAlike * alone ? ""
+                                                                                : " " + rounded(sum, 0.0);
 }
 
 }  // namespace
@@ -79,11 +92,17 @@ std::string fingerprint(const Motion& motion) {
   std::string text = fmt::format("{} {}", order, impacts / copies);
   const double impulse_noise = 1e-9 * (motion.forcing_period * force_scale + largest);
   const Eigen::VectorXd impulse = impulse_per_forcing_period(motion);
+  std::map<std::string, int> last_alike;
   for (int c = 0; c < static_cast<int>(motion.samples.x.cols()); ++c) {
     const auto x = motion.samples.x.col(c);
     // What is left of a motion at rest is the rounding of its coordinate, wherever the origin is.
     const double rest = 1e-13 * x.cwiseAbs().maxCoeff();
-    text += fmt::format(" {} {}", rounded(impulse[c], impulse_noise), rounded(fluctuation(x), rest));
+    const std::string own =
+        fmt::format(" {} {}", rounded(impulse[c], impulse_noise), rounded(fluctuation(x), rest));
+    text += own;
+    // Mirrored contacts may be struck at once or in turn, with the same impulses.
+    const auto [alike, first] = last_alike.try_emplace(own, c);
+    if (!first) text += phase_between(motion.samples.x.col(std::exchange(alike->second, c)), x);
   }
   return sha256(text).substr(0, 8);
 }

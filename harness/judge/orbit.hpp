@@ -19,8 +19,9 @@ double largest_impulse(std::span<const OrbitEvent> events);
 
 /// Eight hexadecimal digits that hash invariants rounded to four digits: least order, impacts per period
 /// above a thousandth of the largest, impulse per forcing period and contact, root mean square of x about its
-/// mean. Equal for equal orbits, those shifted by whole forcing periods, written over several of their
-/// periods or told from another origin included.
+/// mean; of contacts that have these in common, of their sum too, unless they move together or opposite.
+/// Equal for equal orbits, those shifted by whole forcing periods, written over several of their periods or
+/// told from another origin included.
 std::string fingerprint(const Motion& motion);
 
 /// True if the motions are one orbit: x agrees to 1e-6 of its norm after some shift by whole forcing periods

@@ -54,6 +54,22 @@ TEST(Fingerprint, DiffersForOtherOrbits) {
   EXPECT_NE(print, fingerprint(motion(1, 0.0)));
 }
 
+/// Two contacts that move alike, the second one `shift` forcing periods later.
+Motion twins(int shift) {
+  Motion both = motion(2, 0.5, 0, {{0, 1.0, -0.5}, {1, 1.0 + shift * kPeriod, -0.5}});
+  const Motion second = motion(2, 0.5, shift);
+  for (auto part : {&Samples::x, &Samples::velocity, &Samples::force}) {
+    (both.samples.*part).conservativeResize(Eigen::NoChange, 2);
+    (both.samples.*part).col(1) = (second.samples.*part).col(0);
+  }
+  return both;
+}
+
+TEST(Fingerprint, TellsStopsStruckAtOnceFromStopsStruckInTurn) {
+  EXPECT_NE(fingerprint(twins(0)), fingerprint(twins(1)));
+  EXPECT_EQ(fingerprint(twins(1)), fingerprint(twins(3)));
+}
+
 TEST(LargestImpulse, IsThatOfTheMagnitudesOfEvents) {
   using Kind = ContactEvent::Kind;
   EXPECT_EQ(largest_impulse({}), 0.0);
