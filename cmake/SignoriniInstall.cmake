@@ -5,11 +5,11 @@ include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/signorini)
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/signorini)
 
-install(DIRECTORY problems/catalogue problems/families problems/suites
+install(DIRECTORY problems/catalogue problems/families problems/populations problems/suites
         DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini/problems)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(DIRECTORY problems methods DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"
-        PATTERN catalogue EXCLUDE PATTERN families EXCLUDE PATTERN suites EXCLUDE)
+        PATTERN catalogue EXCLUDE PATTERN families EXCLUDE PATTERN populations EXCLUDE PATTERN suites EXCLUDE)
 install(FILES ${interface_version} DESTINATION ${headers}/methods/plugin)
 
 install(TARGETS signorini_build signorini_problems signorini_numerics signorini_methods EXPORT signorini)

@@ -18,6 +18,16 @@ double median_deviation(std::vector<double> values) {
   return median(std::move(values));
 }
 
+Interval proportion(int count, int of) {
+  constexpr double kQuantile = 1.959963984540054;  // of the normal distribution, 97.5 %
+  const double n = of, share = count / n, squared = kQuantile * kQuantile;
+  const double centre = (share + 0.5 * squared / n) / (1.0 + squared / n);
+  const double half =
+      kQuantile * std::sqrt(share * (1.0 - share) / n + 0.25 * squared / (n * n)) / (1.0 + squared / n);
+  // Of none or all the ends are 0 or 1, but for rounding.
+  return {.low = count == 0 ? 0.0 : centre - half, .high = count == of ? 1.0 : centre + half};
+}
+
 Estimate batch_mean(const std::vector<double>& values) {
   constexpr std::size_t kBatches = 20;
   constexpr double kUpper = 0.975;

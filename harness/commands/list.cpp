@@ -6,6 +6,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
+#include "harness/plan/scene_choice.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/text/words.hpp"
@@ -41,9 +42,14 @@ void list_scenes(const std::string& filter) {
 }
 
 void list_suites() {
+  const std::vector<SceneSource> shipped = shipped_scenes();
   for (const auto& file : shipped_files("suites")) {
     const Suite suite = load_suite(file.string());
-    fmt::print("{:<20} {}\n", suite.name, suite.title);
+    const std::size_t scenes = count_scenes(suite, shipped);
+    const std::string held = suite.responses.empty() ? fmt::format("{} scenes", scenes)
+                                                     : fmt::format("{} responses", suite.responses.size());
+    fmt::print("{:<20} {} ({}{})\n", suite.name, suite.title, held,
+               suite.instances > 0 ? fmt::format(", {} of each file with ranges", suite.instances) : "");
   }
 }
 

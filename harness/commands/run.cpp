@@ -73,7 +73,9 @@ void print_plan(const Plan& plan) {
 }
 
 Plan plan_of(const RunArguments& arguments, const Suite& suite) {
-  Plan plan = plan_of_suite(suite, arguments.narrowing, method_catalogue(), shipped_scenes());
+  Narrowing narrowing = arguments.narrowing;
+  narrowing.seed = arguments.schedule.seed;
+  Plan plan = plan_of_suite(suite, narrowing, method_catalogue(), shipped_scenes());
   if (!arguments.shard) return plan;
   Durations durations;
   if (!arguments.durations.empty()) durations = Durations(read_run(arguments.durations).records);
@@ -193,7 +195,15 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
       "print every table of table.md, each scene's as soon as it is done, before the closing screen");
   command.flag("--waveforms", arguments->waveforms,
                "keep the motions in the records, for the figures of report; doubles their size");
-  command.option("--seed", arguments->schedule.seed, "of the random order of a scene's cases in each round")
+  command
+      .option("--instances", arguments->narrowing.instances,
+              "scenes drawn from each scene file with ranges; as the suite says if absent, 0: the scene as "
+              "it is written")
+      .range(0, kMostInstances);
+  command
+      .option("--seed", arguments->schedule.seed,
+              "of the scenes that are drawn (--instances), and of the random order of a scene's cases in "
+              "each round")
       .check(not_negative)
       .shows_default();
   command

@@ -25,7 +25,8 @@ Plan make_plan(const Suite& suite, const Narrowing& narrowing, std::span<const M
     std::ranges::move(select_methods(filter, catalogue), std::back_inserter(prescribed));
   const std::vector<MethodChoice> choices =
       select_methods(narrowing.methods.value_or("*"), catalogue, prescribed);
-  Plan plan{choose_scenes(suite, narrowing.scenes, sources), {}};
+  const Instances instances{.count = narrowing.instances.value_or(suite.instances), .seed = narrowing.seed};
+  Plan plan{choose_scenes(suite, narrowing.scenes, sources, instances), {}};
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     for (const MethodChoice& choice : choices) plan.cases.push_back(make_case(plan.scenes[i], i, choice));
   }

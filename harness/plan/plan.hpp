@@ -79,6 +79,8 @@ Case make_case(const Scene& scene, std::size_t index, MethodChoice choice);
 struct Narrowing {
   std::optional<std::string> methods = {};  ///< filter with optional settings in brackets
   std::vector<std::string> scenes = {};     ///< words for scenes (SceneFilter); none: all
+  std::optional<int> instances = {};        ///< of each scene with ranges; as the suite says if absent
+  std::uint64_t seed = 1;                   ///< of the instances
 };
 
 /// The cases of a suite, scenes in the order of `choose_scenes`, methods in catalogue order.

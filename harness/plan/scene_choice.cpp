@@ -55,9 +55,10 @@ void add_scenes_of(const fs::path& file, std::vector<SceneSource>& sources) {
 }
 
 /// What makes a scene that scene: its text, its level, the contents of its files.
-std::string scene_digest(std::string identity, const std::optional<FamilyLevel>& family,
-                         const std::vector<fs::path>& files) {
-  if (family) identity += "@" + level_label(family->level);  // however the level was spelt
+template <class Variant>  // what has a family and an instance
+std::string scene_digest(std::string identity, const Variant& scene, const std::vector<fs::path>& files) {
+  if (scene.family) identity += "@" + level_label(scene.family->level);  // however the level was spelt
+  if (scene.instance) identity += "@" + instance_label(scene.instance->seed, scene.instance->number);
   for (const fs::path& file : files) identity += "\n" + sha256_of_file(file);
   return sha256(identity);
 }
@@ -75,12 +76,24 @@ struct Candidate {
   std::string name;
 };
 
+/// A source, or the instances that are asked for where it has ranges.
+std::vector<SceneSource> drawn(const SceneSource& source, const Instances& instances) {
+  if (instances.count == 0 || !source.level.empty() || !offers_instances(source.file)) return {source};
+  std::vector<SceneSource> sources;
+  for (int number = 1; number <= instances.count; ++number)
+    sources.emplace_back(source.file, instance_label(instances.seed, number));
+  return sources;
+}
+
 /// The scenes of a suite: files of its own, then those that ship.
-std::vector<Candidate> candidates_of(const Suite& suite, std::span<const SceneSource> sources) {
+std::vector<Candidate> candidates_of(const Suite& suite, std::span<const SceneSource> sources,
+                                     const Instances& instances) {
   std::vector<Candidate> candidates;
   for (const std::string& file : suite.files) {
-    for (const SceneSource& source : scene_files(file))
-      candidates.push_back({source, load_header(source).name});
+    for (const SceneSource& written : scene_files(file)) {
+      for (const SceneSource& source : drawn(written, instances))
+        candidates.push_back({source, load_header(source).name});
+    }
   }
   for (const SceneSource& source : sources) {
     const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
@@ -120,18 +133,18 @@ Scene read_scene(const SceneSource& source) {
   const std::string text = read_file(source.file, kLargestScene);
   // Read once, so that the hash is of what was parsed.
   SceneWithSources scene = parse_scene_with_sources(text, name, source.level);
-  std::string digest = scene_digest(text, scene.family, scene.files);
+  std::string digest = scene_digest(text, scene, scene.files);
   std::string word = name + (source.level.empty() ? "" : "@" + source.level);
   return {.problem = std::move(scene.problem),
           .sha256 = std::move(digest),
           .family = std::move(scene.family),
+          .instance = std::move(scene.instance),
           .sampled_loads = std::move(scene.sampled_loads),
           .word = std::move(word)};
 }
 
 std::string digest_of(const SceneSource& source) {
-  return scene_digest(read_file(source.file, kLargestScene), load_header(source).family,
-                      load_outline(source).files);
+  return scene_digest(read_file(source.file, kLargestScene), load_header(source), load_outline(source).files);
 }
 
 bool names_path(const std::string& word) {
@@ -193,15 +206,20 @@ bool SceneFilter::takes(std::string_view name) const {
   return std::ranges::any_of(globs_, [&](const std::string& glob) { return scene_glob_match(glob, name); });
 }
 
+std::size_t count_scenes(const Suite& suite, std::span<const SceneSource> sources) {
+  return candidates_of(suite, sources, {.count = suite.instances}).size();
+}
+
 std::vector<Scene> choose_scenes(const Suite& suite, const std::vector<std::string>& words,
-                                 std::span<const SceneSource> sources) {
+                                 std::span<const SceneSource> sources, const Instances& instances) {
   const SceneFilter filter(words);
   std::vector<Scene> scenes;
   for (const SceneSource& file : filter.files()) {
-    if (!filter.leaves_out(load_header(file).name)) scenes.push_back(read_scene(file));
+    if (filter.leaves_out(load_header(file).name)) continue;
+    for (const SceneSource& source : drawn(file, instances)) scenes.push_back(read_scene(source));
   }
   if (words.empty() || !filter.globs().empty() || filter.files().empty()) {
-    const std::vector<Candidate> candidates = candidates_of(suite, sources);
+    const std::vector<Candidate> candidates = candidates_of(suite, sources, instances);
     require_matches(filter, candidates, suite);
     const bool has_files = !suite.files.empty();
     for (const Candidate& candidate : candidates) {

@@ -1,6 +1,7 @@
 #pragma once
 // Which scenes: those that ship by name, and one's own by file, folder or glob of files.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -17,9 +18,10 @@ namespace signorini {
 /// A scene ready to run.
 struct Scene {
   Problem problem;
-  std::string sha256 =
-      {};  ///< of the scene file, the level of one of a family, its matrices and sampled loads
+  std::string sha256 = {};  ///< of the scene file, the level of one of a family or the instance, its matrices
+                            ///< and sampled loads
   std::optional<FamilyLevel> family = {};
+  std::optional<SceneInstance> instance = {};   ///< where its numbers are drawn
   std::vector<SampledLoad> sampled_loads = {};  ///< loads given by samples
   std::string word = {};  ///< what a command calls it: its name, or the path of a file that does not ship
 };
@@ -61,10 +63,21 @@ class SceneFilter {
   std::vector<SceneSource> files_;
 };
 
+/// How many scenes a file with ranges stands for.
+struct Instances {
+  int count = 0;           ///< 1 to `count` of a seed; 0: the scene as it is written
+  std::uint64_t seed = 1;  ///< of the numbers that are drawn
+};
+
+/// How many scenes a suite holds, instances of files with ranges included; none is assembled. \throws
+/// SceneError
+std::size_t count_scenes(const Suite& suite, std::span<const SceneSource> sources);
+
 /// The scenes that a filter names by path, in their order, then those of the suite that it takes, files of
 /// the suite's own first, the others in the order of `sources`. Two scenes of one name are refused: records
-/// could not tell them apart. \throws NothingMatched for a glob without a scene, UsageError, SceneError
+/// could not tell them apart. Of a file with ranges as many instances as asked for. \throws NothingMatched
+/// for a glob without a scene, UsageError, SceneError
 std::vector<Scene> choose_scenes(const Suite& suite, const std::vector<std::string>& words,
-                                 std::span<const SceneSource> sources);
+                                 std::span<const SceneSource> sources, const Instances& instances = {});
 
 }  // namespace signorini

@@ -92,7 +92,7 @@ Suite parse_suite(std::string_view text, const std::string& file) {
     root["system"].refuse("must not be there: a scene is no suite; give it to --scenes");
   static_cast<void>(root["schema"].whole("must be 1", 1, 1));  // first: another schema may have other keys
   root.allow_only({"schema", "name", "title", "scenes", "tags", "without_tags", "methods", "limits",
-                   "expected_failure", "response", "by_steps"},
+                   "expected_failure", "response", "by_steps", "instances"},
                   "must be a table");
   const fs::path folder = fs::path(file).parent_path();
   Suite suite;
@@ -109,6 +109,8 @@ Suite parse_suite(std::string_view text, const std::string& file) {
   if (suite.responses.empty() && suite.scenes.empty() && suite.files.empty() && suite.tags.empty()) {
     root["scenes"].refuse("must be a list of globs on scene names, and scene files, unless tags are given");
   }
+  suite.instances = root["instances"].whole_or(
+      0, fmt::format("must be a whole number in 0..{}", kMostInstances), 0, kMostInstances);
   suite.methods = texts(root["methods"], "must be a list of name[key=value|value]");
   suite.limits = read_limits(root["limits"]);
   suite.expected_failures = read_expected(root["expected_failure"]);

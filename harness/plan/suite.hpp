@@ -7,6 +7,9 @@
 
 namespace signorini {
 
+/// Most instances of a scene in one run.
+inline constexpr int kMostInstances = 100000;
+
 /// What one run of a method may use, and how often it is timed.
 struct Limits {
   double timeout = 30.0;              ///< processor time of set-up and first solve [s]
@@ -37,6 +40,7 @@ struct Suite {
   std::vector<std::string> files = {};         ///< scene files, folders and globs of files of its own
   std::vector<std::string> tags = {};          ///< a scene that carries one of these belongs too
   std::vector<std::string> without_tags = {};  ///< a scene that carries one of these does not, whatever else
+  int instances = 0;                           ///< of each scene with ranges; 0: the scene as it is written
   std::vector<std::string> methods = {};  ///< `name[key=value|value]`: replaces the ladder of what it names
   std::vector<SuiteResponse> responses = {};  ///< whole responses, beside the scenes if any
   /// For responses: methods whose answers are taken at one frequency after the other, up and down.

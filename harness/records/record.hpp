@@ -197,9 +197,10 @@ struct Record {
   std::string case_id = {};  ///< "scene/method[settings]", the name for people
   std::string key = {};      ///< identifies the run for --resume
   std::string scene = {}, scene_sha256 = {}, method = {};
-  std::string plugin = {};                 ///< MethodEntry::plugin
-  std::optional<FamilyLevel> family = {};  ///< of a scene that is one of a family
-  Settings settings = {};                  ///< options as asked for; the rest of `options` are defaults
+  std::string plugin = {};                     ///< MethodEntry::plugin
+  std::optional<FamilyLevel> family = {};      ///< of a scene that is one of a family
+  std::optional<SceneInstance> instance = {};  ///< of a scene whose numbers are drawn
+  Settings settings = {};                      ///< options as asked for; the rest of `options` are defaults
   RecordedOptions options = {};
   std::string same_equations_as = {};  ///< a method that solves the same equations where options are equal
   Status status = Status::not_converged;

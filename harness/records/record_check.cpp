@@ -70,6 +70,10 @@ void require_plausible(const Record& record) {
   if (record.period && !(*record.period > 0.0))
     refuse("period", fmt::format("{}", *record.period), "must be positive");
   if (record.response) require_drawable(*record.response);
+  if (record.instance && !is_lower_kebab_case(record.instance->scene))
+    refuse("instance.name", record.instance->scene, "must be the name of a scene");
+  if (record.instance && record.instance->number < 1)
+    refuse("instance.number", fmt::format("{}", record.instance->number), "must be 1 or more");
   if (!record.family) return;
   const FamilyLevel& family = *record.family;
   if (!is_lower_kebab_case(family.family))

@@ -96,6 +96,18 @@ Settings JsonForm<Settings>::read(const Json& json) {
   return settings;
 }
 
+Json JsonForm<DrawnValues>::write(const DrawnValues& values) {
+  Json json = Json::object();
+  for (const auto& [place, value] : values) json[place] = value;
+  return json;
+}
+
+DrawnValues JsonForm<DrawnValues>::read(const Json& json) {
+  DrawnValues values;
+  for (const auto& [place, value] : json.items()) values.emplace_back(place, value.get<double>());
+  return values;
+}
+
 Json JsonForm<TimedRound>::write(const TimedRound& round) { return {round.setup, round.solve}; }
 
 TimedRound JsonForm<TimedRound>::read(const Json& json) { return {.setup = json.at(0), .solve = json.at(1)}; }

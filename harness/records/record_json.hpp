@@ -56,6 +56,20 @@ void visit_fields(Either<FamilyLevel> auto& level, auto&& field) {
   field(required("levels"), level.levels);
 }
 
+/// An object of numbers, place by place.
+template <>
+struct JsonForm<DrawnValues> {
+  static nlohmann::ordered_json write(const DrawnValues& values);  ///< {"contact[0].gap": 0.2}
+  static DrawnValues read(const nlohmann::ordered_json& json);     ///< in the order of the file
+};
+
+void visit_fields(Either<SceneInstance> auto& instance, auto&& field) {
+  field(required("name"), instance.scene);
+  field(required("seed"), instance.seed);
+  field(required("number"), instance.number);
+  field(required("values"), instance.values);
+}
+
 void visit_fields(Either<WorkDone> auto& work, auto&& field) {
   field(Field{"unknowns"}, work.counts.unknowns);
   field(Field{"iterations"}, work.counts.iterations);
@@ -236,6 +250,7 @@ void visit_fields(Either<Record> auto& record, auto&& field) {
   field(required("scene"), record.scene);
   field(required("scene_sha256"), record.scene_sha256);
   field(Field{"family"}, record.family);
+  field(Field{"instance"}, record.instance);
   field(required("method"), record.method);
   field(Field{"plugin"}, record.plugin);
   field(Field{"settings"}, record.settings);

@@ -86,6 +86,7 @@ Record Runner::blank(const Scene& scene, const Job& job) const {
   record.scene = scene.problem.name;
   record.scene_sha256 = scene.sha256;
   record.family = scene.family;
+  record.instance = scene.instance;
   record.method = entry.name;
   record.plugin = entry.plugin;
   const std::vector<OptionEcho> options = planned_case.choice.options();

@@ -19,7 +19,7 @@ inline bool is_lower_kebab_case(std::string_view name) {
 }
 
 /// True if a name is that of a scene: in lower-kebab-case, and for one of a family followed by "@" and the
-/// label of its level, a number.
+/// label of its level, a number, for one that is drawn by "@" and seed and number, "7-3".
 inline bool is_scene_name(std::string_view name) {
   const std::size_t at = name.find('@');
   if (at == std::string_view::npos) return is_lower_kebab_case(name);

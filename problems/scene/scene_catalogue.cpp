@@ -22,7 +22,7 @@ bool is_file(const fs::path& path) {
 // Names of all files of scenes that ship.
 std::vector<std::string> shipped_names() {
   std::vector<std::string> names;
-  for (const char* folder : {"catalogue", "families"}) {
+  for (const char* folder : {"catalogue", "families", "populations"}) {
     for (const fs::path& path : shipped_files(folder)) names.push_back(path.stem().string());
   }
   return names;
@@ -79,7 +79,7 @@ SceneSource find_scene(const std::string& name_or_path) {
   if (base.find('/') != std::string::npos || base.ends_with(".toml")) {
     if (is_file(base)) return {base, level};
   } else {
-    for (const char* folder : {"catalogue", "families"}) {
+    for (const char* folder : {"catalogue", "families", "populations"}) {
       fs::path path = problems_folder() / folder / (base + ".toml");
       if (!base.empty() && is_file(path)) return {std::move(path), level};
     }

@@ -23,10 +23,9 @@ enum class SceneChecks {
 
 /// The scene of a document.
 /// \param name    of the file, in messages
-/// \param family  what choose_level has made of it
+/// \param variant  what choose_variant has made of it
 /// \throws SceneError as parse_scene does
 SceneWithSources read_scene_document(const TomlNode& document, const std::string& name,
-                                     const std::optional<FamilyLevel>& family,
-                                     SceneChecks checks = SceneChecks::all);
+                                     const SceneVariant& variant, SceneChecks checks = SceneChecks::all);
 
 }  // namespace signorini

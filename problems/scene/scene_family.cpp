@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <random>
 #include <set>
 
 #include "problems/scene/scene_field.hpp"
@@ -46,13 +48,91 @@ void write_values(TomlNode& document, const SceneField& values, std::size_t leve
   }
 }
 
-TomlNode take_family(TomlNode& document) {
+TomlNode take_out(TomlNode& document, std::string_view key) {
   auto& entries = std::get<TomlTable>(document.value);
   const auto entry = std::find_if(entries.begin(), entries.end(),
-                                  [](const TomlEntry& candidate) { return candidate.key == "family"; });
-  TomlNode family = std::move(entry->value);
+                                  [&](const TomlEntry& candidate) { return candidate.key == key; });
+  TomlNode value = std::move(entry->value);
   entries.erase(entry);
-  return family;
+  return value;
+}
+
+// Numbers that depend on the words of `seeds` alone, the same with every compiler.
+class RangeDraw {
+ public:
+  explicit RangeDraw(std::uint64_t seed, int number, std::string_view name) {
+    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    std::seed_seq words{low(seed), high(seed), static_cast<std::uint32_t>(number), low(hash), high(hash)};
+    random_.seed(words);
+  }
+
+  // Uniform in [0, 1).
+  double next() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
+
+ private:
+  static std::uint32_t low(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
+  static std::uint32_t high(std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32U); }
+
+  std::mt19937_64 random_;
+};
+
+// A number of six digits, as a person would write it into the file.
+double six_digits(double value) {
+  const std::string text = fmt::format("{:.6g}", value);
+  double rounded = value;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
+}
+
+double drawn_from(const SceneField& range, double share) {
+  constexpr std::string_view kEnds = "must be a number, above 0 for a logarithmic range";
+  if (range["one_of"].given()) {
+    for (const char* key : {"from", "to", "log"})
+      if (range[key].given()) range[key].refuse("must not be there beside one_of");
+    std::vector<double> values;
+    for (const SceneField& item : range["one_of"].items("must be a list of numbers"))
+      values.push_back(item.number("must be a number"));
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size()))];
+  }
+  const bool logarithmic = range["log"].given() && range["log"].truth("must be true or false");
+  const double least = logarithmic ? kLeastPositive : std::numeric_limits<double>::lowest();
+  const double from = range["from"].number(kEnds, least), to = range["to"].number(kEnds, least);
+  if (!(from < to)) range["to"].refuse("must be more than from");
+  return six_digits(logarithmic ? from * std::pow(to / from, share) : from + share * (to - from));
+}
+
+// Writes what is drawn for one range to its places.
+void write_drawn(TomlNode& document, const SceneField& range, const SceneInstance& instance,
+                 DrawnValues& drawn) {
+  range.allow_only({"places", "from", "to", "log", "one_of"},
+                   "must be a table with places, and from, to and log, or one_of");
+  constexpr std::string_view kPlaces =
+      "must be a list of places of numbers in this file, such as contact[0].gap";
+  std::vector<std::string> places;
+  for (const SceneField& item : range["places"].items(kPlaces)) places.push_back(item.text(kPlaces));
+  RangeDraw draw(instance.seed, instance.number, instance.scene + " " + places.front());
+  const double value = drawn_from(range, draw.next());
+  for (const std::string& place : places) {
+    const SceneField field = SceneField(document, range.file()).at(place);
+    if (!field.given()) range["places"].refuse(kPlaces);
+    static_cast<void>(field.number(kPlaces));
+    // The field is a reader's; it leads into the document, which is ours to write.
+    const_cast<TomlNode&>(field.node()).value = value;
+    drawn.emplace_back(place, value);
+  }
+}
+
+// Seed and number of a label "7-3".
+std::optional<SceneInstance> instance_of_label(std::string_view label) {
+  SceneInstance instance;
+  const char* const end = label.data() + label.size();
+  const auto seed = std::from_chars(label.data(), end, instance.seed);
+  if (seed.ec != std::errc() || seed.ptr == end || *seed.ptr != '-') return std::nullopt;
+  const auto number = std::from_chars(seed.ptr + 1, end, instance.number);
+  if (number.ec != std::errc() || number.ptr != end || instance.number < 1) return std::nullopt;
+  if (instance_label(instance.seed, instance.number) != label) return std::nullopt;  // "07-3"
+  return instance;
 }
 
 std::string shortest(double value, std::chars_format format) {
@@ -68,23 +148,25 @@ bool means(std::string_view label, double level) {
   return end.ec == std::errc() && end.ptr == label.data() + label.size() && asked == level;
 }
 
-}  // namespace
-
-std::string level_label(double level) {
-  const std::string fixed = shortest(level, std::chars_format::fixed);
-  std::string scientific = shortest(level, std::chars_format::scientific);  // "1e-08", "1e+06"
-  const std::size_t digits = scientific.find('e') + 2;
-  scientific.erase(digits, scientific.find_first_not_of('0', digits) - digits);
-  std::erase(scientific, '+');
-  return scientific.size() < fixed.size() ? scientific : fixed;
-}
-
-std::vector<std::string> family_labels(const TomlNode& document, const std::string& file) {
-  const SceneField family = SceneField(document, file)["family"];
-  std::vector<std::string> labels;
-  if (!family.given()) return labels;
-  for (const double level : read_levels(family)) labels.push_back(level_label(level));
-  return labels;
+std::optional<SceneInstance> draw_instance(TomlNode& document, const std::string& file,
+                                           std::string_view label) {
+  const SceneField root(document, file);
+  if (root["family"].given()) root["range"].refuse("must not be there beside family");
+  std::optional<SceneInstance> asked = instance_of_label(label);
+  if (!asked && !label.empty())
+    root["range"].refuse(
+        fmt::format("is drawn from by SEED-NUMBER, as in NAME@7-3, not by {}", one_line(label)));
+  // Ranges are checked where nothing is drawn, too.
+  SceneInstance instance = asked.value_or(SceneInstance{});
+  instance.scene = root["name"].text("must be a name in lower-kebab-case");
+  TomlNode scene = document;
+  const TomlNode ranges = take_out(scene, "range");
+  TomlNode drawn = scene;
+  for (const SceneField& range : SceneField(ranges, file).named("range").items("must be tables with places"))
+    write_drawn(drawn, range, instance, instance.values);
+  document = asked ? std::move(drawn) : std::move(scene);
+  if (!asked) return std::nullopt;
+  return instance;
 }
 
 std::optional<FamilyLevel> choose_level(TomlNode& document, const std::string& file, std::string_view label) {
@@ -107,9 +189,37 @@ std::optional<FamilyLevel> choose_level(TomlNode& document, const std::string& f
   const auto index = static_cast<std::size_t>(result.severity - 1);
   result.level = levels[index];
   // Fields point into the document: from here on those of the table that has left it.
-  const TomlNode family = take_family(document);
+  const TomlNode family = take_out(document, "family");
   write_values(document, SceneField(family, file).named("family")["values"], index, levels.size());
   return result;
+}
+
+}  // namespace
+
+std::string level_label(double level) {
+  const std::string fixed = shortest(level, std::chars_format::fixed);
+  std::string scientific = shortest(level, std::chars_format::scientific);  // "1e-08", "1e+06"
+  const std::size_t digits = scientific.find('e') + 2;
+  scientific.erase(digits, scientific.find_first_not_of('0', digits) - digits);
+  std::erase(scientific, '+');
+  return scientific.size() < fixed.size() ? scientific : fixed;
+}
+
+std::vector<std::string> family_labels(const TomlNode& document, const std::string& file) {
+  const SceneField family = SceneField(document, file)["family"];
+  std::vector<std::string> labels;
+  if (!family.given()) return labels;
+  for (const double level : read_levels(family)) labels.push_back(level_label(level));
+  return labels;
+}
+
+std::string instance_label(std::uint64_t seed, int number) { return fmt::format("{}-{}", seed, number); }
+
+bool has_ranges(const TomlNode& document) { return document.find("range") != nullptr; }
+
+SceneVariant choose_variant(TomlNode& document, const std::string& file, std::string_view label) {
+  if (has_ranges(document)) return {.instance = draw_instance(document, file, label)};
+  return {.family = choose_level(document, file, label)};
 }
 
 }  // namespace signorini

@@ -92,6 +92,12 @@ int SceneField::whole_or(int otherwise, std::string_view requirement, int least,
   return given() ? whole(requirement, least, most) : otherwise;
 }
 
+bool SceneField::truth(std::string_view requirement) const {
+  const auto* value = as<bool>();
+  if (value == nullptr) refuse(requirement);
+  return *value;
+}
+
 std::string SceneField::text(std::string_view requirement) const {
   const auto* value = as<std::string>();
   if (value == nullptr) refuse(requirement);

@@ -51,6 +51,8 @@ class SceneField {
   /// A whole number in least..most.
   [[nodiscard]] int whole(std::string_view requirement, int least, int most) const;
   [[nodiscard]] int whole_or(int otherwise, std::string_view requirement, int least, int most) const;
+  /// True or false.
+  [[nodiscard]] bool truth(std::string_view requirement) const;
   /// A string without line breaks and other control characters.
   [[nodiscard]] std::string text(std::string_view requirement) const;
 

@@ -43,7 +43,7 @@ std::vector<std::string> read_tags(const SceneField& field) {
   return tags;
 }
 
-SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> family) {
+SceneHeader read_header(const SceneField& document, SceneVariant variant) {
   std::ignore = document["schema"].whole("must be 1", kSchema, kSchema);  // first: others may have other keys
   document.allow_only(
       {"schema", "name", "title", "reference", "tags", "system", "forcing", "base", "contact", "law"},
@@ -52,7 +52,9 @@ SceneHeader read_header(const SceneField& document, std::optional<FamilyLevel> f
                      .title = read_optional_text(document["title"]),
                      .reference = read_optional_text(document["reference"]),
                      .tags = read_tags(document["tags"]),
-                     .family = std::move(family)};
+                     .family = std::move(variant.family),
+                     .instance = std::move(variant.instance)};
+  if (header.instance) header.name += "@" + instance_label(header.instance->seed, header.instance->number);
   if (header.family) {
     header.family->family = header.name;
     header.name += "@" + level_label(header.family->level);
@@ -152,9 +154,10 @@ void read_stops(const SceneField& document, const SystemDescription& system,
 }
 
 // Fills `scene` as far as it comes.
-void read_scene(const SceneField& document, std::optional<FamilyLevel> family, ReadScene& scene) {
-  SceneHeader header = read_header(document, std::move(family));
+void read_scene(const SceneField& document, SceneVariant variant, ReadScene& scene) {
+  SceneHeader header = read_header(document, std::move(variant));
   scene.family = std::move(header.family);
+  scene.instance = std::move(header.instance);
   Problem& problem = scene.problem;
   problem.name = std::move(header.name);
   problem.title = std::move(header.title);
@@ -187,6 +190,10 @@ bool SceneHeader::carries(std::string_view tag) const {
   return std::find(tags.begin(), tags.end(), tag) != tags.end();
 }
 
+bool offers_instances(const std::filesystem::path& path) {
+  return has_ranges(parse_toml(read_scene_text(path), path.string()));
+}
+
 std::vector<std::string> load_levels(const std::filesystem::path& path) {
   return family_labels(parse_toml(read_scene_text(path), path.string()), path.string());
 }
@@ -194,14 +201,14 @@ std::vector<std::string> load_levels(const std::filesystem::path& path) {
 SceneHeader load_header(const SceneSource& source) {
   const std::string name = source.file.string();
   TomlNode document = parse_toml(read_scene_text(source.file), name);
-  const std::optional<FamilyLevel> family = choose_level(document, name, source.level);
-  return read_header(SceneField(document, name), family);
+  SceneVariant variant = choose_variant(document, name, source.level);
+  return read_header(SceneField(document, name), std::move(variant));
 }
 
 SceneOutline load_outline(const SceneSource& source) {
   const std::string name = source.file.string();
   TomlNode tree = parse_toml(read_scene_text(source.file), name);
-  static_cast<void>(choose_level(tree, name, source.level));
+  static_cast<void>(choose_variant(tree, name, source.level));
   const SceneField document(tree, name);
   ReadScene scene;
   const SystemDescription system = read_system(document["system"]);
@@ -211,11 +218,11 @@ SceneOutline load_outline(const SceneSource& source) {
 }
 
 SceneWithSources read_scene_document(const TomlNode& document, const std::string& name,
-                                     const std::optional<FamilyLevel>& family, SceneChecks checks) {
+                                     const SceneVariant& variant, SceneChecks checks) {
   const SceneField root(document, name);
   ReadScene scene;
   try {
-    read_scene(root, family, scene);
+    read_scene(root, variant, scene);
     if (checks == SceneChecks::all) validate(scene.problem, scene.definiteness);
     return scene;
   } catch (const InvalidProblem& error) {
@@ -229,8 +236,8 @@ SceneWithSources read_scene_document(const TomlNode& document, const std::string
 SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
                                           std::string_view level) {
   TomlNode document = parse_toml(text, name);
-  const std::optional<FamilyLevel> family = choose_level(document, name, level);
-  return read_scene_document(document, name, family);
+  const SceneVariant variant = choose_variant(document, name, level);
+  return read_scene_document(document, name, variant);
 }
 
 Problem parse_scene(std::string_view text, const std::string& name, std::string_view level) {

@@ -10,7 +10,7 @@ namespace {
 
 TomlNode document_of(const SceneSource& source, const std::string& name) {
   TomlNode document = parse_toml(read_scene_text(source.file), name);
-  choose_level(document, name, source.level);
+  static_cast<void>(choose_variant(document, name, source.level));
   return document;
 }
 

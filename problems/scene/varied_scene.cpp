@@ -11,7 +11,7 @@ VariedScene::VariedScene(const SceneSource& source, std::string place)
     : document_(parse_toml(read_scene_text(source.file), source.file.string())),
       file_(source.file.string()),
       place_(std::move(place)),
-      family_(choose_level(document_, file_, source.level)) {
+      variant_(choose_variant(document_, file_, source.level)) {
   value_ = SceneField(document_, file_)
                .at(place_)
                .number("must be the place of a number in this file, such as contact[0].gap");
@@ -25,11 +25,11 @@ TomlNode VariedScene::document(double value) const {
 }
 
 Problem VariedScene::at(double value) const {
-  return read_scene_document(document(value), file_, family_).problem;
+  return read_scene_document(document(value), file_, variant_).problem;
 }
 
 Problem VariedScene::unchecked(double value) const {
-  return read_scene_document(document(value), file_, family_, SceneChecks::reading).problem;
+  return read_scene_document(document(value), file_, variant_, SceneChecks::reading).problem;
 }
 
 }  // namespace signorini

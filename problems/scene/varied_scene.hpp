@@ -27,7 +27,7 @@ class VariedScene {
 
   TomlNode document_;
   std::string file_, place_;
-  std::optional<FamilyLevel> family_;
+  SceneVariant variant_;
   double value_ = 0.0;
 };
 

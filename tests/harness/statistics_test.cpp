@@ -64,5 +64,16 @@ TEST(MedianDeviation, OfANormalSampleIsThatOfTheDistribution) {
   EXPECT_NEAR(median_deviation(values), 2.0 * 0.67449, 4.0 * 2.0 * 0.67449 * 1.17 / std::sqrt(20001.0));
 }
 
+// Tabulated for Wilson's interval: 1 of 10 is 1.79 to 40.4 %, 0 of 10 ends at 27.8 % [newcombe1998].
+TEST(Proportion, IsWilsonsInterval) {
+  EXPECT_NEAR(proportion(1, 10).low, 0.0179, 5e-5);
+  EXPECT_NEAR(proportion(1, 10).high, 0.4042, 5e-5);
+  EXPECT_EQ(proportion(0, 10).low, 0.0);
+  EXPECT_NEAR(proportion(0, 10).high, 0.2775, 5e-5);
+  EXPECT_EQ(proportion(10, 10).high, 1.0);
+  EXPECT_NEAR(proportion(81, 263).low, 0.2553, 5e-5);
+  EXPECT_NEAR(proportion(81, 263).high, 0.3662, 5e-5);
+}
+
 }  // namespace
 }  // namespace signorini::statistics_test

@@ -85,6 +85,19 @@ TEST(Catalogue, EverySceneIsDescribed) {
   }
 }
 
+// Each with an instance that is a scene, and in the suite that its name begins with.
+TEST(Populations, OfferInstances) {
+  const std::vector<std::filesystem::path> files = shipped_files("populations");
+  ASSERT_GE(files.size(), 6U);
+  for (const auto& path : files) {
+    EXPECT_TRUE(offers_instances(path)) << path;
+    const Problem scene = load_scene({path, "11-2"});
+    EXPECT_EQ(scene.name, path.stem().string() + "@11-2");
+    EXPECT_EQ(find_scene(scene.name), SceneSource(path, "11-2"));
+    EXPECT_TRUE(has_tag(scene, "population")) << scene.name;
+  }
+}
+
 TEST(LoadHeader, ReadsWhatTheSceneSaysOfItself) {
   const SceneSource path = find_scene("chain2-penalty");
   const SceneHeader header = load_header(path);

@@ -34,6 +34,7 @@ std::string scene_key(const Record& record) {
   for (const std::optional<int>& number : {record.coordinates, record.contacts})
     key += number ? std::to_string(*number) + kFieldEnd : std::string(1, kFieldEnd);
   if (record.family) key += json_text(write_fields(*record.family));
+  if (record.instance) key += json_text(write_fields(*record.instance));
   return key;
 }
 
@@ -58,6 +59,7 @@ std::string configuration_of(const Record& record) {
 CaseScene case_scene_of(const Record& record) {
   return {.name = record.scene,
           .family = record.family,
+          .instance = record.instance,
           .law = record.scene_law,
           .coordinates = record.coordinates,
           .contacts = record.contacts};

@@ -31,6 +31,7 @@ struct CaseChoice {
 struct CaseScene {
   std::string name = {};
   std::optional<FamilyLevel> family = {};
+  std::optional<SceneInstance> instance = {};
   std::optional<RepresentedLaw> law = {};              ///< Record::scene_law
   std::optional<int> coordinates = {}, contacts = {};  ///< absent in records of earlier versions
 };

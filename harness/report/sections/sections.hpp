@@ -22,6 +22,10 @@ Sections summary_sections(const Evaluation& evaluation);
 /// What the methods of the run cannot do, of those that this program knows and that say so.
 Sections limit_sections(const Evaluation& evaluation);
 
+/// Of scenes drawn from ranges: shares that are solved and rates of false claims, with their intervals. Empty
+/// where no scene is drawn.
+Sections population_sections(const Evaluation& evaluation);
+
 /// How many runs of each configuration ended how: claims certified, unproven and refuted.
 Sections outcome_sections(const Evaluation& evaluation);
 

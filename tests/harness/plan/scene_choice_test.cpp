@@ -53,6 +53,26 @@ TEST_F(ChooseScenes, AreAllOfTheSuiteWhereNothingIsAskedFor) {
   EXPECT_EQ(names({}), (Names{"alpha", "beta"}));
 }
 
+TEST_F(ChooseScenes, DrawsInstancesOfFilesWithRanges) {
+  std::ofstream(one_, std::ios::app) << "[[range]]\nplaces = [\"contact[0].gap\"]\nfrom = 0.1\nto = 0.4\n";
+  const auto drawn = [&](const Instances& instances) {
+    return choose_scenes(suite_, {one_.string() + ":beta"}, shipped_, instances);
+  };
+  const std::vector<Scene> scenes = drawn({.count = 2, .seed = 7});
+  ASSERT_EQ(scenes.size(), 3U);
+  EXPECT_EQ(scenes[0].problem.name, "one@7-1");
+  EXPECT_EQ(scenes[1].problem.name, "one@7-2");
+  EXPECT_EQ(scenes[1].word, one_.string() + "@7-2");
+  EXPECT_EQ(scenes[2].problem.name, "beta");
+  EXPECT_NE(scenes[0].sha256, scenes[1].sha256);
+  EXPECT_NE(scenes[0].problem.contacts[0].gap, scenes[1].problem.contacts[0].gap);
+  EXPECT_EQ(digest_of({one_, "7-2"}), scenes[1].sha256);
+  EXPECT_EQ(drawn({}).front().problem.name, "one") << "as it is written";
+  suite_.files = {one_.string()};
+  suite_.instances = 5;
+  EXPECT_EQ(count_scenes(suite_, shipped_), 7U);
+}
+
 TEST_F(ChooseScenes, MixesOwnFilesWithNames) {
   EXPECT_EQ(names({one_.string() + ":beta"}), (Names{"one", "beta"}));
   EXPECT_EQ(names({"beta:" + one_.string(), two_.string()}), (Names{"one", "two", "beta"}));

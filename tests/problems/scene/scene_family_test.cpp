@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -114,6 +115,107 @@ TEST(SceneFamily, RefusesAMalformedIndexInsteadOfDrivingAnotherContact) {
                   " = [0.2, 0.3, 0.4] (must be a list of 3 values, one per level, for something that stands "
                   "in this file)");
   }
+}
+
+constexpr std::string_view kRanges = R"(schema = 1
+name = "drawn"
+[[range]]
+places = ["contact[0].gap", "contact[1].gap"]
+from = 0.1
+to = 0.4
+[[range]]
+places = ["system.stiffness"]
+from = 1.0
+to = 1e4
+log = true
+[[range]]
+places = ["law.restitution"]
+one_of = [0.0, 0.5]
+[system]
+kind = "sdof"
+mass = 1.0
+damping = 0.1
+stiffness = 7.0
+[forcing]
+frequency = 2.0
+[[contact]]
+dof = 0
+gap = 0.1
+[[contact]]
+normal = [[0, -1.0]]
+gap = 0.1
+[law]
+restitution = 0.8
+)";
+
+SceneInstance drawn(std::uint64_t seed, int number) {
+  return parse_scene_with_sources(kRanges, "drawn.toml", instance_label(seed, number)).instance.value();
+}
+
+TEST(SceneInstance, WritesWhatIsDrawnToItsPlaces) {
+  const SceneWithSources scene = parse_scene_with_sources(kRanges, "drawn.toml", "7-3");
+  EXPECT_EQ(scene.problem.name, "drawn@7-3");
+  const SceneInstance& instance = scene.instance.value();
+  EXPECT_EQ(instance.scene, "drawn");
+  EXPECT_EQ(instance.seed, 7U);
+  EXPECT_EQ(instance.number, 3);
+  ASSERT_EQ(instance.values.size(), 4U);
+  EXPECT_EQ(instance.values[0].first, "contact[0].gap");
+  EXPECT_DOUBLE_EQ(scene.problem.contacts.at(0).gap, instance.values[0].second);
+  EXPECT_DOUBLE_EQ(scene.problem.contacts.at(1).gap, instance.values[0].second);
+  EXPECT_DOUBLE_EQ(scene.problem.stiffness().coeff(0, 0), instance.values[2].second);
+  EXPECT_EQ(instance, drawn(7, 3));
+}
+
+// Scenes of a seed are the same for everyone: these numbers are from another program, of std::seed_seq,
+// std::mt19937_64 and FNV-1a as the standard and their authors state them.
+TEST(SceneInstance, IsTheSameEverywhere) {
+  const DrawnValues values = drawn(7, 3).values;
+  EXPECT_DOUBLE_EQ(values[0].second, 0.385304);
+  EXPECT_DOUBLE_EQ(values[2].second, 8101.39);
+  EXPECT_DOUBLE_EQ(values[3].second, 0.5);
+}
+
+// By the law of large numbers: means of 400 draws, within four standard deviations.
+TEST(SceneInstance, FillsItsRanges) {
+  double gap = 0.0, logarithm = 0.0, second = 0.0;
+  constexpr int kDraws = 400;
+  for (int number = 1; number <= kDraws; ++number) {
+    const DrawnValues values = drawn(1, number).values;
+    EXPECT_GE(values[0].second, 0.1);
+    EXPECT_LE(values[0].second, 0.4);
+    gap += values[0].second / kDraws;
+    logarithm += std::log10(values[2].second) / kDraws;
+    second += (values[3].second == 0.5 ? 1.0 : 0.0) / kDraws;
+  }
+  EXPECT_NEAR(gap, 0.25, 4.0 * 0.3 / std::sqrt(12.0 * kDraws));
+  EXPECT_NEAR(logarithm, 2.0, 4.0 * 4.0 / std::sqrt(12.0 * kDraws));
+  EXPECT_NEAR(second, 0.5, 4.0 * 0.5 / std::sqrt(1.0 * kDraws));
+}
+
+TEST(SceneInstance, IsTheSceneAsWrittenWithoutALabel) {
+  const SceneWithSources scene = parse_scene_with_sources(kRanges, "drawn.toml");
+  EXPECT_EQ(scene.problem.name, "drawn");
+  EXPECT_FALSE(scene.instance);
+  EXPECT_DOUBLE_EQ(scene.problem.contacts.at(0).gap, 0.1);
+}
+
+TEST(SceneInstance, SaysWhatIsWrongAndWhere) {
+  const auto changed = [](std::string_view from, std::string_view to, std::string_view label = "7-3") {
+    std::string text(kRanges);
+    return complaint(text.replace(text.find(from), from.size(), to), label);
+  };
+  EXPECT_NE(changed("sdof", "sdof", "0.5").find("SEED-NUMBER"), std::string::npos);
+  EXPECT_NE(changed("sdof", "sdof", "7-0").find("SEED-NUMBER"), std::string::npos);
+  EXPECT_EQ(changed("to = 0.4", "to = 0.1", ""), "family.toml:6: range[0].to = 0.1 (must be more than from)");
+  EXPECT_EQ(changed("from = 1.0", "from = 0.0"),
+            "family.toml:9: range[1].from = 0 (must be a number, above 0 for a logarithmic range)");
+  EXPECT_NE(changed("contact[1].gap\"]", "contact[2].gap\"]").find("family.toml:4: range[0].places = "),
+            std::string::npos);
+  EXPECT_NE(changed("one_of = ", "from = 1.0\none_of = ").find("must not be there beside one_of"),
+            std::string::npos);
+  EXPECT_NE(changed("log = true", "log = 1").find("must be true or false"), std::string::npos);
+  EXPECT_NE(changed("places = [\"law", "place = [\"law").find("unknown key"), std::string::npos);
 }
 
 TEST(SceneFamily, HasNoLevelWhereThereIsNone) {
