@@ -11,7 +11,6 @@
 #include "harness/files.hpp"
 #include "harness/records/line_file.hpp"
 #include "harness/report/report.hpp"
-#include "harness/run_folder/manifest_check.hpp"
 #include "harness/run_folder/status.hpp"
 #include "harness/text/json.hpp"
 
@@ -20,15 +19,6 @@ namespace signorini {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Refuses to write over a run; a merge may be repeated.
-void require_no_run(const fs::path& out) {
-  const fs::path manifest = out / "manifest.json";
-  if (!fs::exists(manifest)) return;
-  if (read_manifest(manifest).contains("shards")) return;
-  throw UsageError(
-      fmt::format("out = {} (must be a new folder or an earlier merge, not a run)", out.string()));
-}
 
 /// Manifest, plan and records of a merge; the lines of records as they stand in its parts.
 void write_run(const RunFolder& run, std::span<const std::string> parts, const fs::path& out) {

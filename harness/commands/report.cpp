@@ -11,7 +11,9 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/report/formats/screen.hpp"
+#include "harness/run_folder/merge.hpp"
 #include "harness/run_folder/run_folder.hpp"
+#include "harness/run_folder/side_by_side.hpp"
 #include "harness/terminal/terminal.hpp"
 
 namespace signorini {
@@ -22,7 +24,8 @@ namespace {
 const std::string kScreen = "screen";
 
 struct ReportArguments {
-  std::string folder;
+  std::vector<std::string> folders;
+  std::optional<std::string> out;
   std::vector<std::string> formats{"md", "csv"};
   std::optional<std::string> document;
   Column column = Column::own;
@@ -34,13 +37,32 @@ std::vector<std::string> formats_known() {
   return formats;
 }
 
-void report(const ReportArguments& arguments) {
-  const std::filesystem::path folder = arguments.folder;
+void require_records(const std::filesystem::path& folder) {
   refuse_old_responses(folder);
   if (!std::filesystem::exists(folder / "records.jsonl")) {
     throw UsageError(
         fmt::format("dir = {} (must be a folder with records.jsonl, as run writes it)", folder.string()));
   }
+}
+
+/// The folder to report on: that of the run, or of several side by side.
+std::filesystem::path folder_of(const ReportArguments& arguments) {
+  for (const std::string& folder : arguments.folders) require_records(folder);
+  if (arguments.folders.size() == 1) {
+    if (arguments.out)
+      throw UsageError("out = " + *arguments.out +
+                       " (is for several runs: a report stands in the folder of its run)");
+    return arguments.folders.front();
+  }
+  if (!arguments.out) throw UsageError("out = missing (must be the folder for the page of several runs)");
+  require_no_run(*arguments.out);
+  put_side_by_side(std::vector<std::filesystem::path>(arguments.folders.begin(), arguments.folders.end()),
+                   *arguments.out);
+  return *arguments.out;
+}
+
+void report(const ReportArguments& arguments) {
+  const std::filesystem::path folder = folder_of(arguments);
   const Evaluation evaluation = evaluation_of_run(folder, limits_of_run(folder));
   if (arguments.document) {
     write_tables_into(*arguments.document, folder, evaluation);
@@ -48,7 +70,7 @@ void report(const ReportArguments& arguments) {
     return;
   }
   if (std::ranges::count(arguments.formats, kScreen) > 0) {
-    fmt::print("{}", screen_report(evaluation, {.folder = arguments.folder,
+    fmt::print("{}", screen_report(evaluation, {.folder = folder.string(),
                                                 .program = typed_program(),
                                                 .colour = takes_colour(STDOUT_FILENO)}));
   }
@@ -63,7 +85,14 @@ void add_report_command(const Command& program, int& exit_code) {
   const Command command = program.command(
       "report", "Tables, figures and a page from the records of a run, written to its folder.");
   const auto arguments = std::make_shared<ReportArguments>();
-  command.option("dir", arguments->folder, "folder with records.jsonl").required();
+  command
+      .option("dir", arguments->folders,
+              "folder with records.jsonl; several: one report of all, their methods with the names of the "
+              "folders")
+      .required();
+  command.option("--out", arguments->out,
+                 "of several runs: folder of their records side by side and of the report, new or of an "
+                 "earlier such report");
   command
       .option(
           "--format", arguments->formats,

@@ -14,7 +14,11 @@ std::string_view status_name(Status status) {
   return EnumNames<Status>::values[static_cast<std::size_t>(status)];
 }
 
-std::string resolution_of(const Record& record) { return method_label(record.method, record.settings); }
+std::string resolution_of(const Record& record) { return label_of(record, record.settings); }
+
+std::string label_of(const Record& record, const Settings& settings) {
+  return method_label(record.method, settings) + (record.run.empty() ? "" : " (" + record.run + ")");
+}
 
 std::string stability_word(std::optional<bool> stable, const std::string& undefined) {
   if (stable) return *stable ? "stable" : "unstable";

@@ -198,6 +198,7 @@ struct Record {
   std::string key = {};      ///< identifies the run for --resume
   std::string scene = {}, scene_sha256 = {}, method = {};
   std::string plugin = {};                     ///< MethodEntry::plugin
+  std::string run = {};                        ///< of several runs side by side, whose it is
   std::optional<FamilyLevel> family = {};      ///< of a scene that is one of a family
   std::optional<SceneInstance> instance = {};  ///< of a scene whose numbers are drawn
   Settings settings = {};                      ///< options as asked for; the rest of `options` are defaults
@@ -226,6 +227,10 @@ struct Record {
   std::optional<Waveforms> waveforms = {};
   std::optional<RecordedResponse> response = {};  ///< of a case that asks for one in place of a motion
 };
+
+/// A method with settings, and in brackets the run that it is of where several stand side by side:
+/// "aft-hbm[harmonics=40] (mine)".
+std::string label_of(const Record& record, const Settings& settings);
 
 /// The case without its scene: "fourier-lipschitz[harmonics=40]".
 std::string resolution_of(const Record& record);

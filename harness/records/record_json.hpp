@@ -253,6 +253,7 @@ void visit_fields(Either<Record> auto& record, auto&& field) {
   field(Field{"instance"}, record.instance);
   field(required("method"), record.method);
   field(Field{"plugin"}, record.plugin);
+  field(Field{"run"}, record.run);
   field(Field{"settings"}, record.settings);
   field(required("options"), record.options);
   field(Field{"same_equations_as"}, record.same_equations_as);

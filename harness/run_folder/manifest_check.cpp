@@ -98,6 +98,12 @@ constexpr std::array kOfShard{
     Rule{"/running", is_duration, kDuration},
 };
 
+// Of each of the runs that stand side by side.
+constexpr std::array kOfNamedRun{
+    Rule{"/name", is_text, kText},
+    Rule{"/times_left_out", is_text, kText},
+};
+
 constexpr std::array kOfRun{
     Rule{"/schema", is_one, "must be 1"},
     Rule{"/suite", is_suite, "must be the name of a suite"},
@@ -133,6 +139,7 @@ constexpr std::array kOfRun{
     Rule{"/plugins", is_table_of_methods, "must be an object of texts, by names of methods"},
     Rule{"/sweep", is_object, kObject},
     Rule{"/shards", is_list_of<is_object>, "must be a list of objects"},
+    Rule{"/runs", is_list_of<is_object>, "must be a list of objects"},
 };
 
 // "limits.timeout_s" of "/limits/timeout_s".
@@ -151,10 +158,14 @@ void require(const Json& object, const Rule& rule, const std::string& group) {
 void require_plausible(const Json& manifest) {
   for (const Rule& rule : kOfRun) require(manifest, rule, "");
   for (const Rule& rule : kOfShard) require(manifest, rule, "");
-  if (!manifest.contains("shards")) return;
-  for (std::size_t i = 0; i < manifest["shards"].size(); ++i) {
-    for (const Rule& rule : kOfShard) require(manifest["shards"][i], rule, fmt::format("shards[{}].", i));
-  }
+  const auto require_each = [&](const char* list, const auto& rules) {
+    if (!manifest.contains(list)) return;
+    for (std::size_t i = 0; i < manifest[list].size(); ++i) {
+      for (const Rule& rule : rules) require(manifest[list][i], rule, fmt::format("{}[{}].", list, i));
+    }
+  };
+  require_each("shards", kOfShard);
+  require_each("runs", kOfNamedRun);
 }
 
 }  // namespace

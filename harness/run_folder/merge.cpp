@@ -10,6 +10,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/run_folder/machine_load.hpp"
+#include "harness/run_folder/manifest_check.hpp"
 #include "harness/run_folder/shards.hpp"
 #include "harness/table.hpp"
 #include "harness/text/json.hpp"
@@ -200,6 +201,15 @@ RunFolder merge_runs(std::vector<RunFolder> parts) {
   merged.records = joined_records(parts);
   merged.plan = joined_plans(parts);
   return merged;
+}
+
+void require_no_run(const std::filesystem::path& out) {
+  const std::filesystem::path manifest = out / "manifest.json";
+  if (!std::filesystem::exists(manifest)) return;
+  const Json known = read_manifest(manifest);
+  if (known.contains("shards") || known.contains("runs")) return;
+  throw UsageError(
+      fmt::format("out = {} (must be a new folder or an earlier merge, not a run)", out.string()));
 }
 
 void require_same_machine(const RunFolder& before, const RunFolder& now) {

@@ -31,6 +31,10 @@ void join_plugins(nlohmann::ordered_json& manifest, const nlohmann::ordered_json
 /// mix, or a shard is missing
 RunFolder merge_runs(std::vector<RunFolder> parts);
 
+/// Refuses to write over a run: an earlier merge, or runs put side by side, may be made again. \throws
+/// UsageError
+void require_no_run(const std::filesystem::path& out);
+
 /// Refuses to go on with a run on another machine. \throws UsageError, one line that names the difference
 void require_same_machine(const RunFolder& before, const RunFolder& now);
 

@@ -20,7 +20,7 @@ std::string law_key(const std::optional<RepresentedLaw>& law) {
 }
 
 std::string choice_key(const Record& record) {
-  std::string key = record.method + kFieldEnd + record.same_equations_as + kFieldEnd;
+  std::string key = record.method + kFieldEnd + record.run + kFieldEnd + record.same_equations_as + kFieldEnd;
   for (const auto& [name, value] : record.settings) key += name + "=" + value + kFieldEnd;
   key += kFieldEnd;
   // The kind of a value first: 1 and "1" are two.
@@ -53,7 +53,7 @@ bool is_resolution(const OptionSetting& setting) {
 std::string configuration_of(const Record& record) {
   Settings words = record.settings;
   std::erase_if(words, is_resolution);
-  return method_label(record.method, words);
+  return label_of(record, words);
 }
 
 CaseScene case_scene_of(const Record& record) {

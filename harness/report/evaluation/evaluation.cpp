@@ -11,6 +11,7 @@
 #include "harness/run_folder/manifest_check.hpp"
 #include "harness/run_folder/record_store.hpp"
 #include "harness/run_folder/run_folder.hpp"
+#include "harness/run_folder/side_by_side.hpp"
 #include "harness/table.hpp"
 
 namespace signorini {
@@ -45,7 +46,10 @@ std::vector<Record> by_key(std::vector<Record> records) {
 std::string times_remark_of(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "manifest.json";
   if (!std::filesystem::exists(file)) return {};
-  const std::string why = why_not_comparable(read_manifest(file));
+  const nlohmann::ordered_json manifest = read_manifest(file);
+  const std::string left_out = times_left_out(manifest);
+  if (!left_out.empty()) return left_out;
+  const std::string why = why_not_comparable(manifest);
   return why.empty() ? why : "Times of this run are not comparable: " + why + ".";
 }
 
