@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <random>
 #include <sstream>
 
 #include "harness/commands/command_line.hpp"
@@ -32,7 +31,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kMostRandomStarts = 10000;
-constexpr double kPlacing = 1e-10;  // within which a state touches a stop, over the scales of the motion [-]
 
 struct MotionArguments {
   std::string scene;
@@ -104,11 +102,8 @@ std::vector<NamedState> starts_of(const MotionArguments& arguments, const EventF
   } else {
     states = states_of_file(arguments.states, flow, problem);
   }
-  for (int i = 0; i < arguments.starts; ++i) {
-    std::seed_seq seeds{arguments.seed, static_cast<unsigned>(i)};
-    std::mt19937_64 generator(seeds);
-    states.push_back({fmt::format("random state {}", i), random_state(flow, generator)});
-  }
+  for (int i = 0; i < arguments.starts; ++i)
+    states.push_back({fmt::format("random state {}", i), random_state(flow, arguments.seed, i)});
   return states;
 }
 
@@ -263,7 +258,7 @@ int tell_motion(const MotionArguments& arguments) {
   watch_interrupts();
   const Deadline deadline = Deadline::after(arguments.timeout);
   const ContactDynamics dynamics(problem);
-  const EventFlow placing(dynamics, kPlacing, {}, Integrator::modal);
+  const EventFlow placing = placing_flow(dynamics);
   const std::vector<NamedState> starts = starts_of(arguments, placing, problem);
   std::vector<Outcome> outcomes;
   {

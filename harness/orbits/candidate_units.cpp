@@ -227,6 +227,17 @@ FlowState random_state(const EventFlow& flow, std::mt19937_64& generator) {
   return flow.place(dynamics.structure().forcing_period * uniform(generator), state);
 }
 
+FlowState random_state(const EventFlow& flow, unsigned seed, int number) {
+  std::seed_seq seeds{seed, static_cast<unsigned>(number)};
+  std::mt19937_64 generator(seeds);
+  return random_state(flow, generator);
+}
+
+EventFlow placing_flow(const ContactDynamics& dynamics) {
+  constexpr double kPlacing = 1e-10;
+  return {dynamics, kPlacing, {}, Integrator::modal};
+}
+
 std::vector<CandidateUnit> candidate_units(const Problem& problem, int order, int starts, unsigned seed,
                                            std::span<const MethodEntry> catalogue) {
   // Random states of one process: small enough that a crash or a time limit costs little.

@@ -64,6 +64,11 @@ struct CandidateUnit {
 /// A random state: displacements and velocities uniform within a magnitude that is log-uniform in 0.1 to 10
 /// scales of the motion, at a random phase of the forcing; the same on every platform.
 FlowState random_state(const EventFlow& flow, std::mt19937_64& generator);
+/// The one of this number of a seed, which does not depend on which others are drawn.
+FlowState random_state(const EventFlow& flow, unsigned seed, int number);
+
+/// The flow that places states before the stops of which they are within 1e-10 of the scales of the motion.
+EventFlow placing_flow(const ContactDynamics& dynamics);
 
 /// Starts at period `order` forcing periods, in a fixed order:
 ///

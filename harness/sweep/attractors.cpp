@@ -6,7 +6,6 @@
 #include <cmath>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <utility>
 
 #include "harness/interrupt.hpp"
@@ -22,7 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kPlacing = 1e-10;   // within which a state touches a stop, over the scales [-]
 constexpr std::size_t kDrawn = 300;  // instants of a motion that does not repeat
 
 std::size_t most_moved(const Attractor& attractor) {
@@ -87,13 +85,11 @@ AttractorsAt follow_starts(const Problem& problem, double value, const Attractor
   constexpr LongMotionOptions kFollowed{.transient = 2000, .periods = 1000, .exponents = 1};
   const Deadline deadline = Deadline::after(options.timeout);
   const ContactDynamics dynamics(problem);
-  const EventFlow placing(dynamics, kPlacing, {}, Integrator::modal);
+  const EventFlow placing = placing_flow(dynamics);
   AttractorsAt at{.value = value};
   for (int i = 0; i < options.starts; ++i) {
-    std::seed_seq seeds{1U, static_cast<unsigned>(std::max(0, i - 1))};
-    std::mt19937_64 generator(seeds);
     const FlowState start =
-        i == 0 ? placing.place(0.0, dynamics.at_rest()) : random_state(placing, generator);
+        i == 0 ? placing.place(0.0, dynamics.at_rest()) : random_state(placing, 1U, i - 1);
     const double share = deadline.left() / (options.starts - i);
     Attractor found =
         attractor_of(follow_long_motion(dynamics, start, kFollowed, Deadline::after(std::max(0.0, share))));
