@@ -10,6 +10,42 @@
 
 namespace signorini {
 
+namespace {
+
+/// Twice the ranks of magnitudes, whole numbers where ties share theirs. Requires them to be sorted.
+std::vector<long> doubled_ranks(const std::vector<double>& sorted) {
+  std::vector<long> ranks(sorted.size());
+  for (std::size_t first = 0; first < sorted.size();) {
+    std::size_t end = first;
+    while (end < sorted.size() && sorted[end] == sorted[first]) ++end;
+    const auto shared = static_cast<long>(first + end + 1);
+    std::fill(ranks.begin() + static_cast<std::ptrdiff_t>(first),
+              ranks.begin() + static_cast<std::ptrdiff_t>(end), shared);
+    first = end;
+  }
+  return ranks;
+}
+
+/// Probability that a sum of these, each taken or not with equal chance, is as far from its mean as `sum`.
+double exact_tail(const std::vector<long>& ranks, long sum) {
+  const long all = std::accumulate(ranks.begin(), ranks.end(), 0L);
+  std::vector<double> chance(static_cast<std::size_t>(all) + 1, 0.0);  // of each sum
+  chance[0] = 1.0;
+  for (const long rank : ranks) {
+    for (auto total = static_cast<long>(chance.size()) - 1; total >= 0; --total) {
+      const double before = total >= rank ? chance[static_cast<std::size_t>(total - rank)] : 0.0;
+      double& now = chance[static_cast<std::size_t>(total)];
+      now = 0.5 * (now + before);
+    }
+  }
+  double tail = 0.0;
+  for (long total = 0; total <= all; ++total)
+    if (std::abs(2 * total - all) >= std::abs(2 * sum - all)) tail += chance[static_cast<std::size_t>(total)];
+  return std::min(1.0, tail);
+}
+
+}  // namespace
+
 double median(std::vector<double> values) { return boost::math::statistics::median(values); }
 
 double median_deviation(std::vector<double> values) {
@@ -26,6 +62,38 @@ Interval proportion(int count, int of) {
       kQuantile * std::sqrt(share * (1.0 - share) / n + 0.25 * squared / (n * n)) / (1.0 + squared / n);
   // Of none or all the ends are 0 or 1, but for rounding.
   return {.low = count == 0 ? 0.0 : centre - half, .high = count == of ? 1.0 : centre + half};
+}
+
+double signed_rank_probability(std::vector<double> differences) {
+  constexpr std::size_t kMostExact = 200;
+  std::erase(differences, 0.0);
+  if (differences.empty()) return 1.0;
+  std::ranges::sort(differences, {}, [](double d) { return std::abs(d); });
+  std::vector<double> sizes(differences.size());
+  std::ranges::transform(differences, sizes.begin(), [](double d) { return std::abs(d); });
+  const std::vector<long> ranks = doubled_ranks(sizes);
+  long sum = 0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    if (differences[i] > 0.0) sum += ranks[i];
+    squares += static_cast<double>(ranks[i]) * static_cast<double>(ranks[i]);
+  }
+  if (ranks.size() <= kMostExact) return exact_tail(ranks, sum);
+  const double mean = 0.5 * static_cast<double>(std::accumulate(ranks.begin(), ranks.end(), 0L));
+  return std::erfc(std::abs(static_cast<double>(sum) - mean) / std::sqrt(0.5 * squares));
+}
+
+std::vector<double> corrected_probabilities(const std::vector<double>& probabilities) {
+  std::vector<std::size_t> order(probabilities.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return probabilities[i]; });
+  std::vector<double> corrected(probabilities.size());
+  double least = 0.0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    least = std::max(least, std::min(1.0, static_cast<double>(order.size() - k) * probabilities[order[k]]));
+    corrected[order[k]] = least;
+  }
+  return corrected;
 }
 
 Estimate batch_mean(const std::vector<double>& values) {

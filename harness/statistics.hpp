@@ -21,6 +21,16 @@ struct Interval {
 /// interval [wilson1927]. Requires 0 <= count <= of, of >= 1.
 Interval proportion(int count, int of);
 
+/// The probability, two-sided, of a sum of signed ranks [wilcoxon1945] as far from its mean as that of these
+/// differences, were each of them as likely as its negative. Differences of 0 say nothing; equal magnitudes
+/// share their ranks, infinite ones are the largest. Exact up to 200 differences, by the normal distribution
+/// with the correction for ties beyond. 1 where no difference is left.
+double signed_rank_probability(std::vector<double> differences);
+
+/// Probabilities of several tests corrected for their number, so that the chance of any false one among them
+/// is that of one test: Holm's step-down rule [holm1979]. In the order given.
+std::vector<double> corrected_probabilities(const std::vector<double>& probabilities);
+
 /// A value and the half-width of its interval of 95 % confidence.
 struct Estimate {
   double value = 0.0;

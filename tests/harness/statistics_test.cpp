@@ -75,5 +75,29 @@ TEST(Proportion, IsWilsonsInterval) {
   EXPECT_NEAR(proportion(81, 263).high, 0.3662, 5e-5);
 }
 
+// By counting all signs in another program; the first are Darwin's plants, for which R's wilcox.test says the
+// same.
+TEST(SignedRanks, CountAllSigns) {
+  EXPECT_NEAR(signed_rank_probability({6, 8, 14, 16, 23, 24, 28, 29, 41, -48, 49, 56, 60, -67, 75}),
+              0.041259765625, 1e-15);
+  EXPECT_NEAR(signed_rank_probability({1, 1, 2, 2, -1, 3, 3, 3, 0}), 0.03125, 1e-15);
+  EXPECT_NEAR(signed_rank_probability({1, 2, 3, 4, std::numeric_limits<double>::infinity()}), 0.0625, 1e-15);
+  EXPECT_EQ(signed_rank_probability({0.0}), 1.0);
+}
+
+TEST(SignedRanks, AreNormalWhereThereAreMany) {
+  std::vector<double> differences;
+  for (int i = 1; i <= 200; ++i) differences.push_back(i % 5 == 0 ? -i : i % 2 == 0 ? i : -0.9 * i);
+  const double exact = signed_rank_probability(differences);
+  differences.push_back(0.5);
+  EXPECT_NEAR(signed_rank_probability(differences), exact, 0.02);
+}
+
+TEST(CorrectedProbabilities, AreHolms) {
+  const std::vector<double> corrected = corrected_probabilities({0.01, 0.04, 0.03, 0.005});
+  const std::vector<double> expected{0.03, 0.06, 0.06, 0.02};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(corrected[i], expected[i], 1e-15);
+}
+
 }  // namespace
 }  // namespace signorini::statistics_test

@@ -180,7 +180,10 @@ fastest, or within 2 or 10 times of it; a failure is infinitely slow.)";
 
 constexpr std::string_view kPairsText =
     R"(Share of all scenes that the method of the row solves at least as fast
-as that of the column, the two alone: a joint profile of more than two methods tells only who is first.)";
+as that of the column, the two alone: a joint profile of more than two methods tells only who is first. In brackets how
+many times as long the row takes, the median over the scenes that both solve. No difference: the two differ by less than
+5 %, or by no more than chance would explain (signed ranks of the logarithms of their times, a failure being slower than
+any time; 5 % for all pairs of an error together, Holm's correction).)";
 
 constexpr std::string_view kWorkText =
     R"(What the cheapest resolution by each count needs, the median over all
@@ -217,6 +220,52 @@ void fill_means(const RankingGroup& group, double limit, Section& section) {
   section.note = shift_remark(group, limit);
 }
 
+/// Two methods at one error, scene by scene.
+struct PairedTimes {
+  std::vector<double> logarithms =
+      {};  ///< of the times of the one over those of the other; infinite where one fails
+
+  PairedTimes(const std::vector<double>& one, const std::vector<double>& other) {
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      if (std::isfinite(one[i]) || std::isfinite(other[i])) logarithms.push_back(std::log(one[i] / other[i]));
+    }
+  }
+  /// Over the scenes that both solve; 1 where there is none.
+  [[nodiscard]] double ratio() const {
+    std::vector<double> both = logarithms;
+    std::erase_if(both, [](double value) { return !std::isfinite(value); });
+    return both.empty() ? 1.0 : std::exp(median(both));
+  }
+  [[nodiscard]] bool both_solve_all() const {
+    return std::ranges::all_of(logarithms, [](double value) { return std::isfinite(value); });
+  }
+};
+
+/// Of each pair a < b of methods, in that order, whether they differ in time to an error.
+std::vector<bool> differences(const Costs& costs) {
+  constexpr double kAlike = 1.05, kChance = 0.05;
+  std::vector<double> probabilities;
+  std::vector<bool> alike;
+  for (std::size_t a = 0; a < costs.size(); ++a) {
+    for (std::size_t b = a + 1; b < costs.size(); ++b) {
+      const PairedTimes pair(costs[a], costs[b]);
+      probabilities.push_back(signed_rank_probability(pair.logarithms));
+      alike.push_back(pair.both_solve_all() && std::max(pair.ratio(), 1.0 / pair.ratio()) < kAlike);
+    }
+  }
+  probabilities = corrected_probabilities(probabilities);
+  std::vector<bool> differ(probabilities.size());
+  for (std::size_t i = 0; i < differ.size(); ++i) differ[i] = !alike[i] && probabilities[i] <= kChance;
+  return differ;
+}
+
+/// "62 % (1.9)", or "62 %, no difference".
+Cell pair_cell(const std::vector<double>& row, const std::vector<double>& column, bool differ) {
+  Cell cell = share_cell(performance_profile({row, column}).share(0, 1.0));
+  cell.text += differ ? fmt::format(" ({:.2g})", PairedTimes(row, column).ratio()) : ", no difference";
+  return cell;
+}
+
 void fill_pairs(const RankingGroup& group, Section& section) {
   if (!is_timed(group) || group.configurations.size() < 3)
     return;  // the joint profile of two is the pairwise one
@@ -226,11 +275,15 @@ void fill_pairs(const RankingGroup& group, Section& section) {
                               group.configurations.end());
   for (const double error : kHeadlineErrors) {
     const Costs costs = costs_to_error(group, time_axis(), error);
+    const std::vector<bool> differ = differences(costs);
+    const auto place = [&](std::size_t a, std::size_t b) {  // of a pair a < b among all
+      return a * (2 * costs.size() - a - 1) / 2 + b - a - 1;
+    };
     for (std::size_t a = 0; a < costs.size(); ++a) {
       std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[a]};
       for (std::size_t b = 0; b < costs.size(); ++b)
         row.push_back(a == b ? Cell("·")
-                             : share_cell(performance_profile({costs[a], costs[b]}).share(0, 1.0)));
+                             : pair_cell(costs[a], costs[b], differ[place(std::min(a, b), std::max(a, b))]));
       section.table.rows.push_back(std::move(row));
     }
   }

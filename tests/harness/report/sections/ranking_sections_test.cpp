@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"
@@ -104,6 +105,25 @@ TEST(RankingSections, SayWhereTheShiftDecidesTheOrder) {
   EXPECT_NE(note().find("changes with the shift at error 1e-01, "), std::string::npos) << note();
   for (Record& record : records) record.seconds->median = record.method == "even" ? 1.0 : 2.0;
   EXPECT_NE(note().find("the same with all three shifts"), std::string::npos) << note();
+}
+
+// Times of twelve scenes that vary by a factor of 100 between scenes and by 3 % of noise.
+std::vector<std::string> pair_row(double factor) {
+  std::vector<Record> records;
+  for (int i = 0; i < 12; ++i) {
+    const std::string scene = "s" + std::to_string(i);
+    const double time = std::pow(10.0, i / 6.0), noise = 1.0 + 0.03 * std::sin(7.0 * i);
+    records.push_back(test::good_record(scene, "a", "n=1", 0.001, time));
+    records.push_back(test::good_record(scene, "b", "n=1", 0.001, factor * time * noise));
+    records.push_back(test::good_record(scene, "c", "n=1", 0.001, 50.0 * time));
+  }
+  return row_of(sections_of(Evaluation(records)), "pairs-1", {"1e-02", "a"});
+}
+
+TEST(RankingSections, TellADifferenceFromChance) {
+  EXPECT_EQ(pair_row(1.2)[3], "100 % (0.83)");
+  EXPECT_NE(pair_row(1.02)[3].find("no difference"), std::string::npos) << pair_row(1.02)[3];
+  EXPECT_EQ(pair_row(1.2)[4], "100 % (0.02)");
 }
 
 }  // namespace
