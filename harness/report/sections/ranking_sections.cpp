@@ -178,6 +178,11 @@ constexpr std::string_view kMeansText =
 {} in the shifted geometric means, as twice that in PAR2. Right: on how many of all scenes the method is the
 fastest, or within 2 or 10 times of it; a failure is infinitely slow.)";
 
+constexpr std::string_view kDistributionText =
+    R"(Share of all targets reached within a time, a target being a scene and one of the errors {}: the empirical
+distribution function of the time to a target [hansen2021], which weighs all errors alike and needs no fastest method. The last
+column: within the time limit.)";
+
 constexpr std::string_view kPairsText =
     R"(Share of all scenes that the method of the row solves at least as fast
 as that of the column, the two alone: a joint profile of more than two methods tells only who is first. In brackets how
@@ -218,6 +223,32 @@ void fill_means(const RankingGroup& group, double limit, Section& section) {
   section.table.header.insert(section.table.header.end(), {"PAR2", "fastest", "within 2 x", "within 10 x"});
   for (const double error : kErrorLevels) add_mean_rows(group, error, limit, section.table);
   section.note = shift_remark(group, limit);
+}
+
+void fill_distribution(const RankingGroup& group, double limit, Section& section) {
+  if (!is_timed(group)) return;
+  constexpr std::array kTimes{1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0};  // [s]
+  std::vector<std::string> titles;
+  std::vector<std::vector<double>> times(group.configurations.size());  // of all targets
+  for (const double error : kErrorLevels) {
+    titles.push_back(error_title(error));
+    const Costs costs = costs_to_error(group, time_axis(), error);
+    for (std::size_t c = 0; c < costs.size(); ++c) std::ranges::copy(costs[c], std::back_inserter(times[c]));
+  }
+  section.text = fmt::format(kDistributionText, joined(titles, ", "));
+  section.table.header = {"method"};
+  for (const double time : kTimes) section.table.header.push_back(time_text(time));
+  section.table.header.emplace_back("ever");
+  for (std::size_t c = 0; c < times.size(); ++c) {
+    const auto within = [&](double time) {
+      const auto reached = std::ranges::count_if(times[c], [&](double cost) { return cost <= time; });
+      return static_cast<double>(reached) / static_cast<double>(times[c].size());
+    };
+    std::vector<Cell> row{group.configurations[c]};
+    for (const double time : kTimes) row.push_back(share_cell(within(time)));
+    row.push_back(share_cell(within(std::max(limit, kTimes.back()))));
+    section.table.rows.push_back(std::move(row));
+  }
 }
 
 /// Two methods at one error, scene by scene.
@@ -315,6 +346,13 @@ Sections mean_sections(const Evaluation& evaluation) {
       });
   for (std::size_t k = 0; k < sections.size(); ++k) sections[k].figures = {profile_figure(evaluation, k)};
   return sections;
+}
+
+Sections distribution_sections(const Evaluation& evaluation) {
+  return per_group(evaluation, "distribution", "Time to a target",
+                   [&](const RankingGroup& group, Section& section) {
+                     fill_distribution(group, evaluation.time_limit(), section);
+                   });
 }
 
 Sections pairwise_sections(const Evaluation& evaluation) {

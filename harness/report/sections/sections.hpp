@@ -71,6 +71,9 @@ Sections mean_sections(const Evaluation& evaluation);
 /// Performance profiles of two configurations at a time.
 Sections pairwise_sections(const Evaluation& evaluation);
 
+/// Of each group the shares of targets, a scene and an error each, that a method reaches within times.
+Sections distribution_sections(const Evaluation& evaluation);
+
 /// Counts of work to each error.
 Sections work_sections(const Evaluation& evaluation);
 

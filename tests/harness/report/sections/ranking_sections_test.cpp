@@ -126,5 +126,17 @@ TEST(RankingSections, TellADifferenceFromChance) {
   EXPECT_EQ(pair_row(1.2)[4], "100 % (0.02)");
 }
 
+TEST(RankingSections, CountTargetsReachedWithinATime) {
+  std::vector<Record> records;
+  for (int i = 0; i < 4; ++i) {
+    const std::string scene = "s" + std::to_string(i);
+    records.push_back(test::good_record(scene, "a", "n=1", 0.005, i < 2 ? 2e-3 : 0.5));  // to 1e-1 and 1e-2
+    records.push_back(test::good_record(scene, "b", "n=1", 0.005, 2.0));
+  }
+  // 8 of 20 targets in the end, half of them within 10 ms.
+  EXPECT_EQ(row_of(sections_of(Evaluation(records)), "distribution-1", {"a"}),
+            (std::vector<std::string>{"a", "0 %", "0 %", "0 %", "20 %", "20 %", "40 %", "40 %", "40 %"}));
+}
+
 }  // namespace
 }  // namespace signorini::ranking_sections_test

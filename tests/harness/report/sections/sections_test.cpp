@@ -14,7 +14,7 @@ TEST(SectionsOf, ComeInTheOrderOfTheDocumentation) {
   for (const Section& section : sections_of(Evaluation(test::records_of_two_methods())))
     ids.push_back(section.id);
   EXPECT_EQ(ids, (std::vector<std::string>{"summary", "outcomes", "speed", "time-to-error-1", "means-1",
-                                           "work-1", "scenes", "cases"}));
+                                           "distribution-1", "work-1", "scenes", "cases"}));
 }
 
 TEST(SectionsOf, OfOneSceneCompareNothingOverScenes) {
