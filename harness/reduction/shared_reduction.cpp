@@ -30,8 +30,10 @@ constexpr int kNotFound = 127;  // as shells say it
 fs::path reducer() {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / kSharedReducer;
   if (!fs::exists(program))
-    throw UsageError(fmt::format(
-        "mpi (must be left out: {} was not built, for libmumps-dev was not installed)", kSharedReducer));
+    throw UsageError(
+        fmt::format("mpi (must be left out: {} is not beside the program; the package signorini-mpi has it, "
+                    "and a build where libmumps-dev is installed)",
+                    kSharedReducer));
   return program;
 }
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 PACKAGE_PARENT = Path(__file__).resolve().parents[1]
+INSIDE = Path("signorini", "prefix", "bin", "signorini")  # below PACKAGE_PARENT, of a wheel (cmake/release/wheel.py)
 SERVING = "SIGNORINI_SERVING"  # set in a process that runs a method for the program
 GRACE = 5.0  # [s] for the program to end by itself after an interrupt
 
@@ -53,7 +54,8 @@ class Interrupted(SignoriniError):
 
 
 def find_program() -> Path:
-    """The program: $SIGNORINI_PROGRAM, else on the PATH, else the release build of the tree that holds this package.
+    """The program: $SIGNORINI_PROGRAM, else that of the wheel that this package came in, else on the PATH, else the release build
+    of the tree that holds this package.
 
     Raises ProgramNotFound.
     """
@@ -63,7 +65,7 @@ def find_program() -> Path:
         if path.is_file() and os.access(path, os.X_OK):
             return path.absolute()
         raise ProgramNotFound(f"SIGNORINI_PROGRAM = {named} (must be the program signorini)")
-    found = shutil.which("signorini")
+    found = shutil.which(PACKAGE_PARENT / INSIDE) or shutil.which("signorini")
     if found:
         return Path(found).absolute()
     built = PACKAGE_PARENT.parent / "build" / "release" / "harness" / "signorini"

@@ -15,17 +15,22 @@ from signorini import BadInput, Interrupted, ProgramNotFound, Scene, SignoriniEr
 
 
 class Finding(support.TemporaryFolder):
-    def test_goes_by_the_variable_then_the_path_then_the_tree(self):
+    def test_goes_by_the_variable_then_the_wheel_then_the_path_then_the_tree(self):
         named = self.write("mine", "#!/bin/sh\n", executable=True)
         (self.folder / "bin").mkdir()
         on_path = self.write("bin/signorini", "#!/bin/sh\n", executable=True)
         package = self.folder / "tree" / "python"
         built = self.folder / "tree/build/release/harness/signorini"
         built.parent.mkdir(parents=True)
+        inside = package / program.INSIDE
+        inside.parent.mkdir(parents=True)
+        self.write(inside, "#!/bin/sh\n", executable=True)
         with mock.patch.object(program, "PACKAGE_PARENT", package):
             with mock.patch.dict(os.environ, {"SIGNORINI_PROGRAM": str(named), "PATH": str(on_path.parent)}):
                 self.assertEqual(find_program(), named)
                 del os.environ["SIGNORINI_PROGRAM"]
+                self.assertEqual(find_program(), inside)
+                inside.unlink()
                 self.assertEqual(find_program(), on_path)
                 on_path.unlink()
                 with self.assertRaisesRegex(ProgramNotFound, "not on the PATH: build it"):

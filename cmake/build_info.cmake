@@ -3,8 +3,13 @@
 # exist (no git) stay empty.
 
 find_package(Git QUIET)
-set(COMMIT "")
+set(COMMIT "$Format:%H$")  # in the tarball of a release, where .gitattributes has git fill it in
 set(DIRTY false)
+if(COMMIT MATCHES "^.Format")
+  set(COMMIT "")
+else()
+  set(Git_FOUND FALSE)
+endif()
 if(Git_FOUND)
   execute_process(COMMAND ${GIT_EXECUTABLE} -C ${ROOT} rev-parse HEAD OUTPUT_VARIABLE COMMIT
                   OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)

@@ -1,0 +1,11 @@
+# Before a Debian package is made of what was installed: manual page and changelog compressed, and named, as its policy has it.
+foreach(pattern IN ITEMS share/man/man1/*.1 share/doc/*/CHANGELOG.md)
+  file(GLOB files ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/usr/${pattern})
+  foreach(file IN LISTS files)
+    string(REPLACE CHANGELOG.md changelog name ${file})
+    if(NOT name STREQUAL file)
+      file(RENAME ${file} ${name})
+    endif()
+    execute_process(COMMAND gzip -9n ${name} COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()
+endforeach()
