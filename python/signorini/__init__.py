@@ -11,7 +11,7 @@ from .response import Branch, Response, Special
 from .results import Event, Orbit, Solution
 from .scene import Scene
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = ["BadInput", "Branch", "Contact", "Curve", "Event", "Interrupted", "Interval", "Load", "MissingLibrary", "Motion", "NotConverged", "Option",
            "Orbit", "Point", "Problem", "ProgramNotFound", "PythonMethod", "Response", "Scene", "SignoriniError", "Solution", "Special", "SpecialPoint",
            "find_program", "frame", "load", "method"]

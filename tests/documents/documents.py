@@ -46,17 +46,48 @@ def field(text, key):
     return match[1].strip().strip("\"'") if match else None
 
 
+def version_of(cmake):
+    """The version of the project, which has its place in CMakeLists.txt."""
+    return re.search(r"project\(signorini VERSION ([\d.]+)", cmake)[1]
+
+
+def version_offences(cmake, package, changelog):
+    """The Python package's version, and the newest of the changelog, against that of the project."""
+    version = version_of(cmake)
+    told = re.search(r'^__version__ = "(.*)"$', package, re.M)
+    if told is None or told[1] != version:
+        yield f"python/signorini/__init__.py: __version__ is {told and told[1]}: must be {version}"
+    released = re.search(r"^## \[([\d.]+)\] - \d{4}-\d\d-\d\d$", changelog, re.M)
+    if released is None or released[1] != version:
+        yield f"CHANGELOG.md: the newest version with its date is {released and released[1]}: must be {version}"
+
+
+def paper_offences(paper, bibliography, references):
+    """docs/paper: keys that are cited and not there, that nothing cites, and entries that docs/references.bib has otherwise."""
+    cited = set(re.findall(r"@([a-z]+\d{4}[a-z]?)\b", paper))
+    keys = ENTRY.findall(bibliography)
+    for key in sorted(cited - set(keys)):
+        yield f"docs/paper/paper.md: [@{key}] is not in docs/paper/paper.bib"
+    for key in sorted(set(keys) - cited):
+        yield f"docs/paper/paper.bib: nothing cites {key}"
+    same = {ENTRY.match(entry)[1]: entry for entry in re.findall(r"^@.*?^\}$", references, re.M | re.S)}
+    for entry in re.findall(r"^@.*?^\}$", bibliography, re.M | re.S):
+        key = ENTRY.match(entry)[1]
+        if same.get(key, entry) != entry:
+            yield f"docs/paper/paper.bib: {key} is another entry than in docs/references.bib"
+
+
 def citation_offences(citation, cmake, licence):
     """CITATION.cff against the version of CMakeLists.txt and the licence."""
     expected = {
         "cff-version": "1.2.0",
-        "version": re.search(r"project\(signorini VERSION ([\d.]+)", cmake)[1],
+        "version": version_of(cmake),
         "license": "BSD-3-Clause" if licence.startswith("BSD 3-Clause License") else None,
     }
     for key, value in expected.items():
         if field(citation, key) != value:
             yield f"CITATION.cff: {key} is {field(citation, key)}: must be {value}"
-    for key in ("message", "title", "authors"):
+    for key in ("message", "title", "authors", "date-released", "abstract", "type"):
         if field(citation, key) is None:
             yield f"CITATION.cff: {key} is missing"
 

@@ -30,6 +30,12 @@ class Tree(unittest.TestCase):
     def test_the_citation_file_has_version_and_licence_of_the_project(self):
         self.expect_none(documents.citation_offences(read("CITATION.cff"), read("CMakeLists.txt"), read("LICENSE")))
 
+    def test_there_is_one_version(self):
+        self.expect_none(documents.version_offences(read("CMakeLists.txt"), read("python/signorini/__init__.py"), read("CHANGELOG.md")))
+
+    def test_the_paper_cites_what_its_bibliography_has(self):
+        self.expect_none(documents.paper_offences(read("docs/paper/paper.md"), read("docs/paper/paper.bib"), read("docs/references.bib")))
+
     def test_equations_of_the_theory_are_numbered_without_gaps(self):
         self.expect_none(documents.theory_offences(read("docs/theory.md")))
 
@@ -83,10 +89,23 @@ class Planted(unittest.TestCase):
                     "README.md: there is no docs/b.md", "docs/a.md: README.md has no heading #gone")
 
     def test_another_version(self):
-        citation = ("cff-version: 1.2.0\nmessage: m\ntitle: t\nauthors:\n  - name: n\n"
-                    "version: 0.2.0\nlicense: BSD-3-Clause\n")
+        citation = ("cff-version: 1.2.0\nmessage: m\ntitle: t\nabstract: a\ntype: software\nauthors:\n  - name: n\n"
+                    "version: 0.2.0\ndate-released: 2026-01-01\nlicense: BSD-3-Clause\n")
         self.expect(documents.citation_offences(citation, "project(signorini VERSION 0.1.0", "BSD 3-Clause License"),
                     "CITATION.cff: version is 0.2.0: must be 0.1.0")
+
+    def test_a_package_and_a_changelog_of_another_version(self):
+        project, package = "project(signorini VERSION 0.2.0", '__version__ = "0.2.0"\n'
+        self.expect(documents.version_offences(project, package, "## [Unreleased]\n## [0.2.0] - 2026-01-01\n## [0.1.0] - 2025-01-01\n"))
+        self.expect(documents.version_offences(project, '__version__ = "0.1.0"\n', "## [Unreleased]\n\n## [0.2.0]\n"),
+                    "python/signorini/__init__.py: __version__ is 0.1.0: must be 0.2.0",
+                    "CHANGELOG.md: the newest version with its date is None: must be 0.2.0")
+
+    def test_a_paper_whose_citations_and_bibliography_differ(self):
+        self.expect(documents.paper_offences("[@a2001; @b2002]", "@book{a2001,\n  year = {2001}\n}\n@book{c2003,\n}\n",
+                                             "@book{a2001,\n  year = {2002}\n}\n"),
+                    "docs/paper/paper.md: [@b2002] is not in docs/paper/paper.bib", "docs/paper/paper.bib: nothing cites c2003",
+                    "docs/paper/paper.bib: a2001 is another entry than in docs/references.bib")
 
     def test_an_equation_that_is_skipped(self):
         self.expect(documents.theory_offences("```math\na = b \\tag{1}\n```\n| (3) | x |\n"),
