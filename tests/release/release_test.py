@@ -5,6 +5,7 @@ PART is one of: files (makes them below FOLDER/files and looks into them), deb, 
 """
 
 import configparser
+import importlib.util
 import json
 import pathlib
 import re
@@ -51,7 +52,7 @@ def files():
     for command in ("cpack", "dpkg-shlibdeps", "patchelf"):
         if shutil.which(command) is None:
             empty_root.skip(f"{command} is not installed")
-    if not all(map(support.installed, ("pip", "setuptools", "wheel"))):
+    if not all(map(importlib.util.find_spec, ("pip", "setuptools", "wheel"))):
         empty_root.skip("python3-pip, python3-setuptools and python3-wheel are not all installed")
     what = ["tarball", "deb", "wheel"] if in_git() else ["deb", "wheel"]
     shutil.rmtree(FILES, ignore_errors=True)
