@@ -9,13 +9,12 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME signorini-dev)
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME signorini-mpi)
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)
-  install(FILES cmake/release/copyright COMPONENT ${component}
+  install(FILES cmake/release/copyright CHANGELOG.md COMPONENT ${component}
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
   if(NOT component STREQUAL program)
     set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "signorini (= ${PROJECT_VERSION})")
   endif()
 endforeach()
-install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/signorini)
 
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PACKAGE_CONTACT "The signorini developers <signorini@localhost>")  # to be filled in: docs/releasing.md

@@ -82,10 +82,11 @@ def look_into_packages():
         control.read_string("[control]\n" + output("dpkg-deb", "--field", package))
         name, fields[name] = control["control"]["Package"], control["control"]
         check(control["control"]["Version"] == VERSION, f"{package} is version {control['control']['Version']}: must be {VERSION}")
-        check(f"./usr/share/doc/{name}/copyright" in output("dpkg-deb", "--contents", package), f"{package} does not tell its licence")
+        for file in ("copyright", "changelog.gz"):
+            check(f" ./usr/share/doc/{name}/{file}\n" in output("dpkg-deb", "--contents", package), f"{package} has no {file}")
     check({"signorini", "signorini-dev"} <= set(fields), f"the packages are {sorted(fields)}")
     contents = output("dpkg-deb", "--contents", made(f"signorini_{VERSION}_*.deb"))
-    for file in ("man/man1/signorini.1.gz", "doc/signorini/changelog.gz", "signorini/SKILL.md", "signorini/problems/catalogue/sdof-stop.toml"):
+    for file in ("man/man1/signorini.1.gz", "signorini/SKILL.md", "signorini/problems/catalogue/sdof-stop.toml"):
         check(f" ./usr/share/{file}\n" in contents, f"signorini has no /usr/share/{file}")
     depends = fields["signorini"]["Depends"]
     for library in ("libc6", "libfftw3-double3", "libumfpack5", "liblapack3"):
