@@ -119,6 +119,15 @@ def nearness_offences(theory, files):
             yield f"docs/theory.md: nearby must be a distance of at most {value} (`kNearOrbit`)"
 
 
+README_WORDS = 900
+
+
+def length_offences(readme):
+    """The first page is for strangers: at most README_WORDS words, as wc counts them."""
+    if (words := len(readme.split())) > README_WORDS:
+        yield f"README.md: {words} words: must be at most {README_WORDS}; the rest belongs in docs"
+
+
 def rows_of(page):
     """Cells of the rows of a page's tables whose first cell is a number in parentheses, by that number."""
     for line in page.splitlines():

@@ -46,15 +46,16 @@ class Tree(unittest.TestCase):
     def test_the_theory_says_what_nearby_is(self):
         self.expect_none(documents.nearness_offences(read("docs/theory.md"), texts()))
 
+    def test_the_first_page_is_short(self):
+        self.expect_none(documents.length_offences(read("README.md")))
+
     def test_the_crosswalk_has_all_equations_of_the_source_paper(self):
         self.expect_none(documents.crosswalk_offences(read("docs/source-paper.md"), read("docs/theory.md"), texts()))
-
 
     def test_every_link_of_a_page_leads_somewhere(self):
         pages = {path.relative_to(ROOT).as_posix(): path.read_text() for path in [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]}
         self.assertGreater(len(pages), 40)
         self.expect_none(documents.link_offences(pages, lambda path: (ROOT / path).exists()))
-
 
     def test_nothing_that_is_read_holds_private_phrases(self):
         paths = [path for part in ("problems", "methods", "harness", "docs", "examples", "python", "results")
@@ -82,6 +83,9 @@ class Planted(unittest.TestCase):
     def test_a_key_that_nothing_cites_and_a_citation_without_entry(self):
         self.expect(documents.bibliography_offences("@book{a2001,\n}\n", {"x.md": "[b2002, section 3]"}),
                     "docs/references.bib: nothing cites a2001", "x.md: [b2002] is not in docs/references.bib")
+
+    def test_a_first_page_that_is_too_long(self):
+        self.expect(documents.length_offences("word " * 901), "README.md: 901 words: must be at most 900; the rest belongs in docs")
 
     def test_a_link_to_nothing(self):
         pages = {"README.md": "[a](docs/a.md#its-part) [b](docs/b.md) [c](https://example.org/x)", "docs/a.md": "# Its part\n[r](../README.md#gone)"}
