@@ -29,12 +29,16 @@ def run(program, *words):
     return subprocess.run([program, *words], check=True, capture_output=True, text=True).stdout
 
 
-def style():
-    light = "".join(f"--c{i}:{c[0]};" for i, c in enumerate(CURVES.values()))
-    dark = "".join(f"--c{i}:{c[1]};" for i, c in enumerate(CURVES.values()))
-    return (f"<style>svg{{{light}}}@media (prefers-color-scheme:dark){{svg{{{dark}}}}}"
-            + "".join(f"path.c{i}{{stroke:var(--c{i})}}circle.c{i},text.c{i}{{fill:var(--c{i})}}" for i in range(len(CURVES)))
-            + "text.heading{fill:var(--structure);font-weight:600}circle.contact{fill:var(--contact)}</style>")
+def themed(rules, *palettes):
+    """A style with the rules of the first palette, and those of the second where paper is dark; no custom properties, which few programs know."""
+    day, night = (rules(palette) for palette in palettes)
+    return f"<style>{day}@media (prefers-color-scheme:dark){{{night}}}</style>"
+
+
+def rules(shade):
+    ink, contact = (("#1f2328", "#c04f00"), ("#d7dee6", "#ff9d57"))[shade]
+    curves = (f"path.c{i}{{stroke:{c[shade]}}}circle.c{i},text.c{i}{{fill:{c[shade]}}}" for i, c in enumerate(CURVES.values()))
+    return "".join(curves) + f"text.heading{{fill:{ink};font-weight:600}}circle.contact{{fill:{contact}}}"
 
 
 class Panel:
@@ -209,7 +213,7 @@ def overview(program):
     svg += f'<g transform="translate({(WIDTH - size[0]) / 2:.0f} {30 + (HEIGHT - 30 - size[1]) / 2:.0f})">{body}</g>\n'
     panels = [motion(program)[0].svg(WIDTH, 0), response(program)[0].svg(0, HEIGHT), errors()[0].svg(WIDTH, HEIGHT)]
     return document(f"{SCENE}: an oscillator before a stop, its motion, its response, and the error of methods against time",
-                    own_style + style(), svg + "".join(panels))
+                    own_style + themed(rules, 0, 1), svg + "".join(panels))
 
 
 def main():

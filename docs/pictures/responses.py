@@ -11,22 +11,19 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from overview import HEIGHT, ROOT, WIDTH, Panel, document, pieces
+from overview import HEIGHT, ROOT, WIDTH, Panel, document, pieces, themed
 
 SCENES = {"sdof-stop": "Rigid stop, e = 1", "sdof-stop-e05": "Rigid stop, e = 0.5", "rod-penalty@4": "Rod before a spring",
           "beam20-three-stops": "Beam, three massless contacts"}
 METHODS = {"fourier-lipschitz[harmonics=20]": ("m0", "#009e73", "#2fd3a5"), "hat-lcp[samples=128]": ("m1", "#d55e00", "#ff9c57")}
 
 
-def style():
-    light = "".join(f"--{name}:{day};" for name, day, _ in METHODS.values())
-    dark = "".join(f"--{name}:{night};" for name, _, night in METHODS.values())
-    return (f"<style>svg{{--ink:#1b1f24;--sheet:#ffffff;--exact:#b8bec6;{light}font-family:sans-serif}}"
-            f"@media (prefers-color-scheme:dark){{svg{{--ink:#d6dbe1;--sheet:#15181c;--exact:#5d6670;{dark}}}}}"
-            "path{fill:none}path.note{stroke:var(--ink)}text.note,text.heading{fill:var(--ink)}text.heading{font-weight:600}"
-            "rect.sheet{fill:var(--sheet)}path.exact{stroke:var(--exact)}"
-            + "".join(f"path.{name}{{stroke:var(--{name})}}text.{name}{{fill:var(--{name})}}" for name, _, _ in METHODS.values())
-            + "</style>")
+def rules(shade):
+    ink, sheet, exact = (("#1b1f24", "#ffffff", "#b8bec6"), ("#d6dbe1", "#15181c", "#5d6670"))[shade]
+    methods = ((name, colours[shade]) for name, *colours in METHODS.values())
+    return (f"text{{font-family:sans-serif}}path{{fill:none}}path.note{{stroke:{ink}}}text.note,text.heading{{fill:{ink}}}text.heading{{font-weight:600}}"
+            f"rect.sheet{{fill:{sheet}}}path.exact{{stroke:{exact}}}"
+            + "".join(f"path.{name}{{stroke:{colour}}}text.{name}{{fill:{colour}}}" for name, colour in methods))
 
 
 def panel_of(scene, title, records):
@@ -64,7 +61,7 @@ def picture(records):
     for i, (scene, title) in enumerate(SCENES.items()):
         svg += panel_of(scene, f"{title} ({scene})", records).svg(WIDTH * (i % 2), HEIGHT * (i // 2))
     return document("Amplitude over the frequency of the load on four scenes: the exact branches, dashed where unstable, and those of "
-                    "two methods", style(), svg)
+                    "two methods", themed(rules, 0, 1), svg)
 
 
 def main():

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string_view>
+#include <utility>
 
 namespace signorini {
 
@@ -11,19 +13,31 @@ namespace {
 // 96 pixels per inch.
 constexpr double kPixels = 96.0 / 2.54;
 
+struct SheetColours {
+  std::string_view paper, body, structure, contact, load, note;
+};
 // The contact and load colours are those of the figures (Okabe and Ito), lighter on dark paper.
-constexpr std::string_view kStyle = R"(<style>
-svg{--paper:#fff;--structure:#1f2328;--body:#dde7ef;--contact:#c04f00;--load:#0067a3;--note:#57606a}
-@media (prefers-color-scheme:dark){svg{--paper:#0d1117;--structure:#d7dee6;--body:#2b3a48;--contact:#ff9d57;--load:#6cb6ff;--note:#9aa4af}}
-.sheet{fill:var(--paper)}
-path{fill:none;stroke-linecap:round;stroke-linejoin:round}
-path.structure{stroke:var(--structure)}path.contact{stroke:var(--contact)}path.load{stroke:var(--load)}path.note{stroke:var(--note)}
-path.body{fill:var(--body)}path.paper{fill:var(--paper)}
-path.structure.ink{fill:var(--structure)}path.contact.ink{fill:var(--contact)}path.load.ink{fill:var(--load)}
-text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;stroke:none}
-text.structure{fill:var(--structure)}text.contact{fill:var(--contact)}text.load{fill:var(--load)}text.note{fill:var(--note)}
-</style>
-)";
+constexpr SheetColours kDaySheet{"#fff", "#dde7ef", "#1f2328", "#c04f00", "#0067a3", "#57606a"};
+constexpr SheetColours kNightSheet{"#0d1117", "#2b3a48", "#d7dee6", "#ff9d57", "#6cb6ff", "#9aa4af"};
+
+std::string rules_of(const SheetColours& colours) {
+  std::string rules =
+      fmt::format(".sheet,path.paper{{fill:{}}}path.body{{fill:{}}}\n", colours.paper, colours.body);
+  for (const auto& [ink, colour] :
+       {std::pair{Ink::structure, colours.structure}, std::pair{Ink::contact, colours.contact},
+        std::pair{Ink::load, colours.load}, std::pair{Ink::note, colours.note}})
+    rules += fmt::format("path.{0}{{stroke:{1}}}path.{0}.ink,text.{0}{{fill:{1}}}\n", ink_name(ink), colour);
+  return rules;
+}
+
+/// Rules with plain colours, and again for dark paper: Inkscape, librsvg and CairoSVG know no custom
+/// properties of CSS.
+std::string style_element() {
+  return "<style>\npath{fill:none;stroke-linecap:round;stroke-linejoin:round}\n"
+         "text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;stroke:none}\n" +
+         rules_of(kDaySheet) + "@media (prefers-color-scheme:dark){\n" + rules_of(kNightSheet) +
+         "}\n</style>\n";
+}
 
 /// From the paper of the drawing to the pixels of the document.
 struct Sheet {
@@ -83,7 +97,7 @@ std::string svg_of(const Drawing& drawing) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
       "{1:.0f}\" font-size=\"{2:.1f}\" role=\"img\">\n<title>{3}</title>\n",
       size.x(), size.y(), kPixels * kTextSize, xml_text(drawing.title));
-  svg += kStyle;
+  svg += style_element();
   svg += fmt::format("<rect class=\"sheet\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", size.x(), size.y());
   for (const Part& part : drawing.parts) {
     svg += fmt::format("<g class=\"{}\">", part.kind);

@@ -17,6 +17,16 @@ TEST(SvgOf, HasAGroupForEachPartAndTextsThatAreNoMarkup) {
   EXPECT_EQ(svg, svg_of(drawing));
 }
 
+// librsvg, CairoSVG and Inkscape draw what is coloured by a custom property as one black rectangle.
+TEST(SvgOf, ColoursByPlainRulesOnLightAndOnDarkPaper) {
+  const std::string svg = svg_of(Drawing{});
+  EXPECT_EQ(svg.find("var("), std::string::npos) << svg;
+  EXPECT_EQ(svg.find("{--"), std::string::npos) << svg;
+  const std::size_t dark = svg.find("@media (prefers-color-scheme:dark)");
+  EXPECT_LT(svg.find(".sheet,path.paper{fill:#fff}"), dark) << svg;
+  EXPECT_NE(svg.find(".sheet,path.paper{fill:#0d1117}", dark), std::string::npos) << svg;
+}
+
 TEST(SvgOf, TurnsTheDrawingSoThatUpIsUp) {
   Drawing drawing;
   drawing.add("line").strokes.push_back({.places = {{0.0, 0.0}, {0.0, 2.54}}});
