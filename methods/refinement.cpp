@@ -80,7 +80,7 @@ class RefinedUntilAgreed final : public PreparedMethod {
     else if (!rule_.only_confirmed || check.taken || check.agreed())
       return;
     else if (check.away)
-      doubt = fmt::format("the motion at the resolution before is {:.2g} away, {} is asked for", *check.away,
+      doubt = fmt::format("the motion at the resolution before is {:.2g} away, the limit is {}", *check.away,
                           kAgreed);
     else
       doubt = "no other resolution confirms it";

@@ -102,7 +102,7 @@ void add_check_command(const Command& program, int& exit_code) {
       program.command("check",
                       "What every method must pass: declared options and laws, determinism, time budget, "
                       "invariances, convergence, "
-                      "and no claim that the harness refutes. Exit code 1 if something failed.");
+                      "and no answer that is proved wrong. Exit code 1 if something failed.");
   const auto arguments = std::make_shared<CheckArguments>();
   command.option("method", arguments->method, "method name; see `signorini list methods`");
   command.flag("--all", arguments->all, "every method there is");

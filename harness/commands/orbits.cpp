@@ -90,7 +90,7 @@ double exact_amplitude(const Problem& problem, const Trajectory& motion) {
 void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options, const std::string& scene) {
   int failed = 0;
   for (const auto& [reason, count] : found.failures) failed += count;
-  fmt::print(stderr, "{} starts, {} of them without a certified orbit\n", found.searches, failed);
+  fmt::print(stderr, "{} searches, {} of them without an exact motion\n", found.searches, failed);
   for (const auto& [reason, count] : found.failures) fmt::print(stderr, "  {} x {}\n", count, reason);
   for (const std::string& loss : found.losses) fmt::print(stderr, "  lost: {}\n", loss);
   if (found.expired)
@@ -154,7 +154,7 @@ void add_search_options(const Command& command, OrbitSearchOptions& options,
 void add_orbits_command(const Command& program, int& exit_code) {
   const Command command = program.command(
       "orbits",
-      "Searches the coexisting orbits of a scene under its own law, stable or not, each of them certified; "
+      "Searches the coexisting periodic motions of a scene, stable or not, each exact to rounding; "
       "exit code 1 if none is found.");
   const auto arguments = std::make_shared<OrbitsArguments>();
   command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();

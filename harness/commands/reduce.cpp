@@ -49,7 +49,7 @@ int reduce(ReduceArguments arguments) {
 
 void add_reduce_command(const Command& program, int& exit_code) {
   const Command command =
-      program.command("reduce", "A large structure as a scene of what its contacts feel.");
+      program.command("reduce", "Writes a small scene whose contacts behave as those of a large structure.");
   const auto arguments = std::make_shared<ReduceArguments>();
   command.option("scene", arguments->order.scene, "a scene of the catalogue, or a scene file").required();
   command

@@ -172,7 +172,7 @@ int run_suite(const RunArguments& arguments) {
 
 void add_run_command(const Command& program, int& exit_code, const std::vector<std::string>& words) {
   const Command command = program.command(
-      "run", "The benchmark: every method of a suite on every scene, at every step of its ladder.");
+      "run", "The benchmark: every method of a suite on every scene, at several resolutions.");
   const auto arguments = std::make_shared<RunArguments>();
   arguments->words = words;
   command.option("suite", arguments->suite, "suite name or file").shows_default();
@@ -214,9 +214,9 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
       .range(1, 1024)
       .shows_default();
   command
-      .option(
-          "--beside", arguments->schedule.beside,
-          "such runs on this machine at the same time, this one included: their times are marked likewise")
+      .option("--beside", arguments->schedule.beside,
+              "number of runs that share this machine, this one included; their times are marked as not "
+              "comparable")
       .range(1, 1024)
       .shows_default();
   const Argument shard =

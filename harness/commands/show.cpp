@@ -292,9 +292,10 @@ void show_method(const MethodEntry& entry) {
   show_title(entry.name, entry.title);
   show_line("laws", entry.laws);
   if (!entry.limits.empty()) show_line("limits", entry.limits);
-  show_line("ladder", entry.ladder + ", the resolutions of `run`");
+  show_line("resolutions", entry.ladder + ", those of `run`");
   if (!entry.plugin.empty()) show_line("plugin", entry.plugin);
-  if (entry.order) show_line("order", fmt::format("{:g}, of the error of x along the ladder", *entry.order));
+  if (entry.order)
+    show_line("order", fmt::format("{:g}, of the error of x over the resolutions", *entry.order));
   fmt::print("options\n");
   for (const OptionEcho& option : entry.make({})->options()) {
     const std::string name =

@@ -91,7 +91,7 @@ class Attempts {
     } else if (contacts.contradicts) {
       add_reason(fmt::format("{} is {:.2g} away: {}", name, apart, contacts.text), refutation_);
     } else if (apart > kOwnOrbit || !contacts.text.empty()) {
-      const std::string why = apart > kOwnOrbit ? fmt::format("{} is asked for", kOwnOrbit) : contacts.text;
+      const std::string why = apart > kOwnOrbit ? fmt::format("the limit is {}", kOwnOrbit) : contacts.text;
       near_ = fmt::format("near {}, {:.2g} away: {}", name, apart, why);
       result.orbit = std::move(orbit);
     } else {

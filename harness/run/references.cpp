@@ -35,7 +35,7 @@ Reference find_reference(const Scene& scene, const RepresentedLaw& law, const Or
                                                        Deadline::after(std::max(kKeptSeconds, seconds))))
       return *std::move(kept);
   }
-  if (seconds == 0.0) return {.reason = "not searched for"};
+  if (seconds == 0.0) return {.reason = "not checked, see --reference"};
   return compute_reference(under_law(scene.problem, law), tools, Deadline::after(seconds));
 }
 

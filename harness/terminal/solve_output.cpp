@@ -127,7 +127,7 @@ std::string all_harmonics(const MotionSummary& motion, const std::vector<int>& c
   return text.empty() ? text : titles("harmonics", {"rad/s", "amplitude [m]", "phase [deg]"}) + text;
 }
 
-/// "certified: orbit 9b682b81, which is also reached from rest".
+/// "9b682b81, which is also reached from rest".
 std::string certificate_words(const Certificate& certificate) {
   if (certificate.status != CertificateStatus::certified) {
     const bool more = certificate.expired.value_or(false) && certificate.refutation.empty();
@@ -138,7 +138,7 @@ std::string certificate_words(const Certificate& certificate) {
   if (certificate.same_orbit)
     return orbit + (*certificate.same_orbit ? ", which is also reached from rest"
                                             : ", another than the one reached from rest");
-  return fmt::format("{} (motion from rest: {})", orbit,
+  return fmt::format("{} (from rest: {})", orbit,
                      certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason);
 }
 

@@ -16,6 +16,40 @@ PRIVATE = re.compile(r"ranks? nobody|against nobody|nobody solves|nobody's (?:lo
                      r"[\"'`]there[\"'`]", re.I)
 
 
+# Habits that make a reader go over a sentence twice, refused where users read: pages, help, screens and reports.
+HABITS = re.compile(r"\bof several,|\b(?:is|are) asked (?:for|of)\b|\b(?:that|what|which) (?:is|are) none\b|\bleaves? open\b|\bnobody\b|\bsays nothing\b|"
+                    r"\bhollow ones\b|\btime grows with\b|\bcontacts? feels?\b|\bwhich represents? the law\b|\bwhich alone\b|\bcount once:|"
+                    r"\blead to orders\b|\bis no such\b|\b(?:is|are) at hand\b|\bwent otherwise\b", re.I)
+LITERAL = re.compile(r'R"(\w*)\((.*?)\)\1"|"((?:\\.|[^"\\\n])*)"', re.S)
+
+
+def habit_offences(texts):
+    """Such habits in pages, and in the literals of C++ sources."""
+    for path, text in texts.items():
+        if not path.endswith(".md"):
+            text = re.sub(r'"\s*\n\s*"', "", re.sub(r"^\s*//.*$", "", text, flags=re.M))
+            text = " | ".join(match[2] or match[3] or "" for match in LITERAL.finditer(text))
+        for match in HABITS.finditer(re.sub(r"\s*\n\s*", " ", text)):
+            yield f"{path}: {match[0]!r}: say it plainly"
+
+
+# Words that this project gives a meaning of its own: docs/glossary.md has them.
+OWN_WORDS = re.compile(r"\b(certif(?:y|ies|ied)|refute[sd]?|unproven|ladders?|represent(?:s|ed)?)\b", re.I)
+NO_PROSE = re.compile(r"^( *)```.*?^\1```$|^\|.*?$|<!--.*?-->|`[^`\n]*`|^#.*?$", re.M | re.S)
+
+
+def own_word_offences(pages):
+    """Such words, where a page first uses them in prose, that are neither linked nor set in emphasis with their meaning."""
+    for path, text in pages.items():
+        prose, seen = NO_PROSE.sub(" ", text), set()
+        marked = [match.span() for match in re.finditer(r"\[[^\]]*\]\([^)]*\)|\*[^*\n]+\*", prose)]
+        for match in OWN_WORDS.finditer(prose):
+            root = match[1].lower()[:5]
+            if root not in seen and not any(begin <= match.start() < end for begin, end in marked):
+                yield f"{path}: {match[0]!r} is first used without a link to docs/glossary.md"
+            seen.add(root)
+
+
 def private_phrase_offences(texts):
     """Private phrases in texts, those broken over lines, comments or adjacent literals of a source included."""
     for path, text in texts.items():

@@ -1,6 +1,7 @@
 """The checks of documents.py on this tree, and on small texts in which each offence is planted."""
 
 import pathlib
+import re
 import unittest
 
 import documents
@@ -46,6 +47,11 @@ class Tree(unittest.TestCase):
     def test_the_theory_says_what_nearby_is(self):
         self.expect_none(documents.nearness_offences(read("docs/theory.md"), texts()))
 
+    def test_pictures_draw_outside_a_browser(self):
+        pictures = list((ROOT / "docs/pictures").rglob("*.svg"))
+        self.assertGreater(len(pictures), 15)
+        self.assertEqual([path.name for path in pictures if re.search(r"var\(--|[{;]--", path.read_text())], [])
+
     def test_the_first_page_is_short(self):
         self.expect_none(documents.length_offences(read("README.md")))
 
@@ -66,6 +72,19 @@ class Tree(unittest.TestCase):
         self.expect_none(documents.private_phrase_offences(read_by_people))
 
 
+    def test_what_users_read_is_plain(self):
+        pages = [*ROOT.glob("docs/*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
+        sources = [path for part in ("commands", "terminal", "report", "plots") for path in (ROOT / "harness" / part).rglob("*.[ch]pp")]
+        self.assertGreater(len(sources), 100)
+        self.expect_none(documents.habit_offences({path.relative_to(ROOT).as_posix(): path.read_text() for path in [*pages, *sources]}))
+
+
+    def test_words_of_ours_are_linked_where_they_come_first(self):
+        pages = ("README", "docs/tutorial", "docs/gallery", "docs/troubleshooting", "docs/units", "docs/results", "docs/methods", "docs/responses",
+                 "docs/running", "docs/motions", "docs/python")
+        self.expect_none(documents.own_word_offences({f"{page}.md": read(f"{page}.md") for page in pages}))
+
+
 class Planted(unittest.TestCase):
     def expect(self, offences, *lines):
         self.assertEqual(list(offences), list(lines))
@@ -75,6 +94,14 @@ class Planted(unittest.TestCase):
                                                        'f("a scene that nobody "\n      "solves counts");', "d.md": "Nobody is told."}),
                     "a.md: 'Ranks nobody' is private English", "b.hpp: 'What became of every' is private English",
                     "c.cpp: 'nobody solves' is private English")
+
+    def test_habits_on_pages_and_in_literals_alone(self):
+        self.expect(documents.habit_offences({"a.md": "the fastest and,\nof several, the first", "b.cpp": '// nobody\nf("what is"\n  " asked for"); // nobody'}),
+                    "a.md: 'of several,': say it plainly", "b.cpp: 'is asked for': say it plainly")
+
+    def test_a_word_of_ours_without_a_link(self):
+        self.expect(documents.own_word_offences({"a.md": "`ladder` and [certified](glossary.md), certified.\n```sh\nrefuted\n```\nA *ladder*. Refuted!"}),
+                    "a.md: 'Refuted' is first used without a link to docs/glossary.md")
 
     def test_a_key_that_stands_twice(self):
         self.expect(documents.bibliography_offences("@book{a2001,\n}\n@article{a2001,\n}\n", {"x.md": "[a2001]"}),

@@ -157,7 +157,7 @@ TEST(RefinedUntilAgreed, ClaimsOnlyWhatIsConfirmedWhereThatIsAskedFor) {
   const Solution apart = end_of({{10, 5.0}, {20, 1.0}, {40, 1.3}});
   EXPECT_EQ(apart.verdict, Verdict::not_converged);
   EXPECT_EQ(apart.message,
-            "solved; H = 40; the motion at the resolution before is 0.23 away, 0.05 is asked for");
+            "solved; H = 40; the motion at the resolution before is 0.23 away, the limit is 0.05");
   EXPECT_EQ(amplitude(apart), 1.3);
   const Solution alone = end_of({{10, 0.0}, {20, 1.0}, {40, 0.0}});
   EXPECT_EQ(alone.verdict, Verdict::not_converged);

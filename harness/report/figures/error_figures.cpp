@@ -102,12 +102,11 @@ std::vector<Figure> work_precision_figures(const Evaluation& evaluation, const s
       error_figure(scene + "-other-laws", curves_of(evaluation, others, time_axis()),
                    {kTime, "error of x and force, own law [-]", floor_of(others)}, column)};
   figures[0].caption =
-      "Error against time. Each mark is a resolution, its number beside it; hollow ones lie below ten error "
-      "bars of the orbit and are not ranked.";
+      "Error against time. Each mark is a resolution, its number beside it. Hollow marks: error too small to "
+      "measure (below ten error bars of the orbit), not ranked.";
   figures[1].caption =
-      "The same for methods that represent another law than the scene's: errors against the motion under "
-      "their "
-      "own.";
+      "The same for methods that solve another impact law than the scene's: errors against the motion under "
+      "their own law.";
   std::erase_if(figures, [](const Figure& figure) { return figure.data.empty(); });
   return figures;
 }

@@ -31,11 +31,10 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 
 /// The rule by which a method is recommended, as reports print it above their groups.
 inline constexpr std::string_view kVerdictRule =
-    "* has an error of at most 1 % on most scenes of its group, those left out whose motion is unstable, "
-    "and, of "
-    "several, the least median time to it, or one within 10 % of that; or misses one scene more and is "
-    "faster. Time to an error of x and force, "
-    "and on how many scenes; - where half or more fail; on how many of those to 10 % the motion is unstable:";
+    "* Recommended: reaches an error of 1 % on the most scenes whose motion is stable; among equals, the "
+    "fastest (ties within 10 %). A second * misses one scene more and is faster. Each cell: median time to "
+    "that error of x and force, then number of scenes solved; - if half or more fail. Last column: unstable "
+    "motions among those solved to 10 %:";
 
 /// The titles of kGroupErrors.
 inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %", "1 %", "0.1 %", "1e-6"};

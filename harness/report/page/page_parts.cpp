@@ -79,7 +79,7 @@ std::string charts_of(const std::string& scene, const Json& data) {
   if (!work.is_null() && !work["own"].empty()) {
     text += chart("work", scene, "Error against time, " + scene,
                   "Error of x against time of set-up and solve. Each mark is a resolution and leads to its "
-                  "record; hollow ones lie below ten error bars of the orbit.");
+                  "record. Hollow marks: error too small to measure (below ten error bars of the orbit).");
   }
   if (!data["motion"].is_null()) {
     const int contact = data["motion"]["contact"];
@@ -164,8 +164,9 @@ std::string verdict_of(const Evaluation& evaluation) {
 std::string side_by_side(const Evaluation& evaluation) {
   std::string text =
       "<section id=\"side-by-side\"><h2>Scenes side by side</h2>\n<p>Error of x against time, on the same "
-      "axes. Each mark is one resolution of a method and leads to its record; hollow ones lie below ten "
-      "error bars of the orbit and are not ranked. Names below switch methods off and on, in every figure "
+      "axes. Each mark is one resolution of a method and leads to its record. Hollow marks: error too small "
+      "to measure (below ten error bars of the orbit), not ranked. Names below switch methods off and on, in "
+      "every figure "
       "of the page.</p>\n" +
       std::string(kMethodSwitches) + "<div class=\"scenes\">\n";
   for (const std::string& scene : evaluation.scenes()) {

@@ -20,8 +20,8 @@ namespace signorini {
 namespace {
 
 constexpr std::string_view kText = R"(The methods of a row solve the same equations where their options are
-equal: their rows are one result, not two that confirm each other. Where impacts are closed the way to it is one
-and the same, too, and which of them is faster says nothing. Differences are relative, of the errors of x, over
+equal: their rows are one result, not two that confirm each other. With impact closure they
+also run the same algorithm: do not compare their times. Differences are relative, of the errors of x, over
 the cases that both solve on the same orbit. Same answers: the methods give the same answers to the last bit in every
 case, whatever they say of their equations.)";
 

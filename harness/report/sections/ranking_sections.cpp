@@ -40,18 +40,18 @@ std::string contest_title(const Evaluation& evaluation, const RankingGroup& grou
   return fmt::format("{}{} scene{}", title, group.scenes.size(), group.scenes.size() == 1 ? "" : "s");
 }
 
-/// "Of all methods but hat-lcp[plain=true], which represent the law of these scenes.": the shorter of who
+/// "All methods solve the impact law of these scenes, hat-lcp[plain=true] excepted.": the shorter of who
 /// does and who not.
 std::string contestants_text(const Evaluation& evaluation, const RankingGroup& group) {
   std::vector<std::string> others;
   std::ranges::set_difference(evaluation.configurations(), group.configurations, std::back_inserter(others));
-  if (others.empty()) return "Of all methods, which represent the law of these scenes.";
+  if (others.empty()) return "All methods are ranked: all solve the impact law of these scenes.";
   if (others.size() < group.configurations.size())
-    return fmt::format("Of all methods but {}, which represent the law of these scenes.",
+    return fmt::format("Ranked are the methods that solve the impact law of these scenes: all but {}.",
                        joined(others, ", "));
   const bool one = group.configurations.size() == 1;
-  return fmt::format("Of {}, which alone {} the law of these scenes.", joined(group.configurations, ", "),
-                     one ? "represents" : "represent");
+  return fmt::format("Ranked {} {}: no other method solves the impact law of these scenes.",
+                     one ? "is" : "are", joined(group.configurations, ", "));
 }
 
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
@@ -170,7 +170,7 @@ Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxi
 constexpr std::string_view kTimeToErrorText = R"(On how many scenes a method gets its error down to that of
 the column at any of its resolutions, and the median over all scenes of the time of the cheapest that does.
 Nothing is interpolated; a scene that is not solved counts as infinite. Motions of the first column are told
-stable or not: nobody will measure one that is not. Runs on another orbit: those that
+stable or not: no experiment shows an unstable one. Runs on another orbit: those that
 found another motion of the scene than the one reached from rest, which counts as well.)";
 
 constexpr std::string_view kMeansText =

@@ -121,19 +121,18 @@ Cell solved_cell(const Account& account) {
 std::string repeated_remark(std::ptrdiff_t repeated) {
   if (repeated == 0) return {};
   return fmt::format(
-      "Problems count once: {} time{} a method was given a problem that another scene states to it too, "
-      "under "
-      "the law that it represents, and is left out there.",
-      repeated, repeated == 1 ? "" : "s");
+      "{} duplicate{} left out: two scenes that differ only in their restitution are one problem to a method "
+      "that ignores it.",
+      repeated, repeated == 1 ? " was" : "s were");
 }
 
 constexpr std::string_view kSummaryText = R"(Of the scenes whose law a method represents: on how many it is
 certified to have found a motion of that scene at any of its resolutions, and how many of these motions are
-stable: nobody will measure one that is not; its least error of x,
+stable, for no experiment shows an unstable one; its least error of x,
 and the error of the contact impulse of that answer, medians over these scenes; then how many it solves with
 errors of x, of the worst contact and of the force of at most 1e-1, 1e-2 and 1e-3, and the median time of the cheapest resolution that does. A scene that
 is not solved counts as infinite, an error that is only known to be below a bound as that bound. Under another
-law: scenes of which the method solves another problem, one with another law of impact, and how many of those.
+law: scenes that the method solves with another restitution than they ask for, and how many it solves so.
 Without contact: scenes that a motion solves which touches nothing, and how many of those; they count in no other
 column.)";
 
@@ -143,7 +142,7 @@ unproven (neither). Stable and unstable: certified, by the multipliers of the or
 determined. Another orbit: certified, but not the motion reached from rest.)";
 
 constexpr std::string_view kSpeedText = R"(Each resolution over the scenes whose law the method represents.
-Scenes that a motion without contact solves are left out. Medians are over all others, failures as infinite: a time grows with the failures too. Methods of other laws have
+Scenes that a motion without contact solves are left out. Medians are over all others, and failures count as infinite time: more failures mean a larger median. Methods of other laws have
 other scenes, so that rows rank nothing: time at equal error and on equal scenes is in the sections on time to
 error.)";
 

@@ -70,7 +70,7 @@ ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, c
   }
   ChangeOfSequence change = begin_at(
       family, with_phase, [contact](const ExtendedEquations& at) { return shortest_phase(at, contact); },
-      fmt::format("a phase of contact {} begins or is interrupted", contact));
+      fmt::format("contact {} starts pressing, or opens for a moment", contact));
   if (change.start) change.start->first_step_share = kBrief;
   return change;
 }
@@ -112,7 +112,7 @@ ChangeOfSequence end_phase(OrbitFamily& family, const SequencedOrbit& orbit, Eig
         const OrbitGuard* guard = found.find(kind, contact);
         return guard == nullptr ? std::nan("") : guard->value;
       },
-      fmt::format("a phase of contact {} or its interruption has ended", contact));
+      fmt::format("contact {} stops pressing, or no longer opens for a moment", contact));
 }
 
 // Events i - 1 and i of two contacts have met; with them, of a motion with a symmetry, other pairs.

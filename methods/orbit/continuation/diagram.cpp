@@ -89,7 +89,8 @@ class DiagramTracer {
       follow(*start);
     }
     if (too_long_ > 0)
-      note(fmt::format("{} period doublings lead to orders above {}", too_long_, limits_.max_order));
+      note(fmt::format("{} period doublings not followed (period > {}; --max-order {})", too_long_,
+                       limits_.max_order, 2 * limits_.max_order));
     return queue_.finish<OrbitDiagram>();
   }
 

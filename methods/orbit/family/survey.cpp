@@ -218,9 +218,9 @@ std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool 
   };
   switch (guard.kind) {
     case GuardKind::approach:
-      return fmt::format("{} of contact {} fades",
-                         event().kind == ContactEvent::Kind::impact ? "an impact" : "a closing",
-                         event().contact);
+      return event().kind == ContactEvent::Kind::impact
+                 ? fmt::format("an impact of contact {} fades", event().contact)
+                 : fmt::format("contact {} stops pressing", event().contact);
     case GuardKind::interval: {
       const std::size_t count = orbit.events.size();
       const SequenceEvent& before = orbit.events[(static_cast<std::size_t>(guard.index) + count - 1) % count];

@@ -172,7 +172,7 @@ TEST(CommandSolve, SearchesNoReferenceUnlessAsked) {
          "[forcing]\nfrequency = 2.841\n[[forcing.term]]\ndof = 0\ncos = 1.0\n[[contact]]\ndof = 0\n"
          "gap = 0.1136\n[law]\nrestitution = 0.5\n";
   const Outcome outcome = run("solve " + (folder / "scene.toml").string() + " --method hat-lcp");
-  EXPECT_NE(outcome.out.find("(motion from rest: not searched for)"), std::string::npos)
+  EXPECT_NE(outcome.out.find("from rest: not checked, see --reference)"), std::string::npos)
       << outcome.out << outcome.err;
 }
 

@@ -62,11 +62,11 @@ TEST(Screen, SaysWhichMethodToTakeForWhichScenes) {
 4 scenes, 14 cases, 13 certified, 1 failed
 Certified motions: 1 unstable, 12 not determined
 
-Which method? * has an error of at most 1 % on most scenes of its group, those
-left out whose motion is unstable, and, of several, the least median time to it,
-or one within 10 % of that; or misses one scene more and is faster. Time to an
-error of x and force, and on how many scenes; - where half or more fail; on how
-many of those to 10 % the motion is unstable:
+Which method? * Recommended: reaches an error of 1 % on the most scenes whose
+motion is stable; among equals, the fastest (ties within 10 %). A second *
+misses one scene more and is faster. Each cell: median time to that error of x
+and force, then number of scenes solved; - if half or more fail. Last column:
+unstable motions among those solved to 10 %:
                                10 %         1 %       0.1 %        1e-6    unst.
 Rigid stop (e = 1), 3 scenes: fast
 * fast                         1 ms  3     1 ms  3    20 ms  2    20 ms  2     0

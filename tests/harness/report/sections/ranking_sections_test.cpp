@@ -65,9 +65,10 @@ TEST(RankingSections, NameTheKindOfScenesAndTheFewWhoDoNotRepresentTheirLaw) {
   EXPECT_EQ(titles, (std::vector<std::string>{"Time to error: rigid stop (e = 1), 1 scene",
                                               "Time to error: rigid stop (e = 1), 1 scene",
                                               "Time to error: spring, 1 scene"}));
-  EXPECT_EQ(texts, (std::vector<std::string>{"Of a, which alone represents the law of these scenes.",
-                                             "Of all methods but b, which represent the law of these scenes.",
-                                             "Of all methods, which represent the law of these scenes."}));
+  EXPECT_EQ(texts, (std::vector<std::string>{
+                       "All methods are ranked: all solve the impact law of these scenes.",
+                       "Ranked are the methods that solve the impact law of these scenes: all but b.",
+                       "Ranked is a: no other method solves the impact law of these scenes."}));
 }
 
 TEST(RankingSections, CallNobodySlowWhoWasNotTimed) {
