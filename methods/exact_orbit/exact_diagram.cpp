@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -10,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/diagram.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/continuation/one_impact_orbits.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
 #include "methods/orbit/orbit_guess.hpp"
@@ -28,9 +31,11 @@ class Beginnings {
       : family_(family), method_(method), limits_(limits) {}
 
   std::vector<SequencedOrbit> find() {
-    if (family_.driven()) {  // else at rest
+    if (family_.driven()) {
       add_contact_free();
       add_answers();
+    } else {
+      add_linear_modes();
     }
     add_one_impact();
     for (const KnownMotion& known : limits_.begin_at)
@@ -38,6 +43,12 @@ class Beginnings {
     if (orbits_.empty() && failure_) std::rethrow_exception(failure_);
     return std::move(orbits_);
   }
+
+  /// Of nonlinear modes whose linear one lies in the interval.
+  std::vector<CurveStart> starts() { return std::move(starts_); }
+
+  /// The least of these [J].
+  [[nodiscard]] double least_energy() const { return least_energy_; }
 
   /// What the method answers at a value of the parameter, within a share of the time that is left.
   std::vector<SequencedOrbit> answers_at(double parameter) {
@@ -48,15 +59,50 @@ class Beginnings {
 
   /// Why `find` has found none.
   [[nodiscard]] std::string reason() const {
-    if (!family_.driven())
-      return "no free motion was found to begin from: those of one impact on a rigid stop are looked for";
-    return "no orbit was found to begin from" + (refusal_.empty() ? "" : ": " + refusal_);
+    return (family_.driven() ? "no orbit was found to begin from"
+                             : "no free motion was found to begin from") +
+           (refusal_.empty() ? "" : ": " + refusal_);
   }
 
  private:
   void add_contact_free() {
     for (const double end : {family_.scene().from, family_.scene().to})
       if (auto free = contact_free_orbit(family_, end)) orbits_.push_back(std::move(*free));
+  }
+
+  // The nonlinear modes, those whose linear one lies outside the interval followed up to it.
+  void add_linear_modes() {
+    const ParametrisedScene& scene = family_.scene();
+    refusal_ = "nonlinear modes are followed over the frequency or the energy";
+    if (scene.parameter != kFrequency) return;
+    LinearModeStarts found = linear_mode_starts(family_);
+    refusal_ = found.obstacle;
+    if (found.starts.empty() && refusal_.empty())
+      refusal_ = "no mode that reaches a stop has a frequency in the interval at any energy";
+    for (LinearModeStart& mode : found.starts) {
+      least_energy_ = std::min(least_energy_, mode.energy);
+      if (scene.contains(mode.frequency))
+        starts_.push_back(std::move(mode.start));
+      else
+        follow_to_interval(std::move(mode));
+    }
+  }
+
+  void follow_to_interval(LinearModeStart mode) {
+    constexpr double kBeside = 1e-6;  // of the frequency: the mode begins inside
+    const bool below = mode.frequency < family_.scene().low();
+    ParametrisedScene wider = family_.scene();
+    wider.from = (below ? 1.0 - kBeside : 1.0 + kBeside) * mode.frequency;
+    wider.to = below ? family_.scene().low() : family_.scene().high();
+    OrbitFamily before(wider, family_.units());
+    CurveLimits limits = limits_;
+    limits.take = {};
+    limits.at.clear();
+    limits.max_order = 1;
+    for (const OrbitBranch& branch :
+         trace_diagram(before, {}, limits, {}, {std::move(mode.start)}).branches) {
+      for (SequencedOrbit& orbit : orbits_at(family_, branch, wider.to)) orbits_.push_back(std::move(orbit));
+    }
   }
 
   void add_answers() {
@@ -126,17 +172,84 @@ class Beginnings {
   const Method& method_;
   const CurveLimits& limits_;
   std::vector<SequencedOrbit> orbits_;
+  std::vector<CurveStart> starts_;
+  double least_energy_ = std::numeric_limits<double>::infinity();
   std::exception_ptr failure_;  // of the last answer that could not be asked for
-  std::string refusal_;         // of the last answer that is none
+  std::string refusal_;         // of the last answer that is none, or of the modes
 };
+
+// The parts of a branch of free motions within an interval of their energy, which becomes the parameter.
+std::vector<OrbitBranch> within(const OrbitBranch& branch, const ParametrisedScene& energies) {
+  constexpr double kRounding = 1e-10;
+  const double margin = kRounding * std::max(std::abs(energies.low()), std::abs(energies.high()));
+  const auto inside = [&](const SolutionPoint& point) {
+    return *point.energy >= energies.low() - margin && *point.energy <= energies.high() + margin;
+  };
+  std::vector<OrbitBranch> parts;
+  const std::size_t count = branch.points.size();
+  for (std::size_t begin = 0; begin < count; ++begin) {
+    if (!inside(branch.points[begin])) continue;
+    std::size_t end = begin;
+    OrbitBranch part;
+    part.sequence = branch.sequence;
+    for (; end < count && inside(branch.points[end]); ++end) {
+      part.points.push_back(branch.points[end]);
+      part.points.back().parameter = *branch.points[end].energy;
+      part.orbits.push_back(branch.orbits[end]);
+    }
+    for (std::size_t k = 0; k < branch.special.size(); ++k) {
+      const SpecialPoint& special = branch.special[k];
+      if (special.after < begin || special.after > end || !inside(special.point)) continue;
+      part.special.push_back(special);
+      part.special.back().after -= begin;
+      part.special.back().point.parameter = *special.point.energy;
+      part.special_orbits.push_back(branch.special_orbits[k]);
+    }
+    part.began = begin == 0 ? branch.began : kEndOfInterval;
+    part.ended = end == count ? branch.ended : kEndOfInterval;
+    if (part.points.size() > 1) parts.push_back(std::move(part));
+    begin = end;
+  }
+  return parts;
+}
+
+// Free motions over their energy: their frequency is an unknown of the curves all the same.
+OrbitDiagram energy_diagram(const ParametrisedScene& scene, const Method& method, const CurveLimits& limits) {
+  const Problem problem = scene.at(scene.middle());
+  const auto band = free_motion_band(problem);
+  if (!band) return {.unfinished = "no spring holds the structure in place"};
+  OrbitFamily family(over_frequency(problem, band->low, band->high));
+  CurveLimits inner = limits;
+  inner.at.push_back(scene.low());
+  inner.take = {};
+  Beginnings beginnings(family, method, limits);
+  const std::vector<SequencedOrbit> orbits = beginnings.find();
+  const ParameterRange energies{.low = std::min(scene.low(), (1.0 - 1e-9) * beginnings.least_energy()),
+                                .high = scene.high()};
+  OrbitDiagram diagram = trace_diagram(family, orbits, inner, {}, beginnings.starts(), energies);
+  std::vector<OrbitBranch> parts;
+  for (const OrbitBranch& branch : diagram.branches) {
+    for (OrbitBranch& part : within(branch, scene)) {
+      if (limits.take) limits.take(part);
+      parts.push_back(std::move(part));
+    }
+  }
+  diagram.branches = std::move(parts);
+  if (diagram.branches.empty() && diagram.unfinished.empty() && diagram.notes.empty())
+    diagram.unfinished = beginnings.reason();
+  return diagram;
+}
 
 }  // namespace
 
 OrbitDiagram exact_diagram(const ParametrisedScene& scene, const Method& method, const CurveLimits& limits) {
+  if (scene.parameter == kEnergy) return energy_diagram(scene, method, limits);
   OrbitFamily family(scene);
   Beginnings beginnings(family, method, limits);
-  OrbitDiagram diagram = trace_diagram(family, beginnings.find(), limits,
-                                       [&](double parameter) { return beginnings.answers_at(parameter); });
+  const std::vector<SequencedOrbit> orbits = beginnings.find();
+  OrbitDiagram diagram = trace_diagram(
+      family, orbits, limits, [&](double parameter) { return beginnings.answers_at(parameter); },
+      beginnings.starts());
   if (diagram.branches.empty() && diagram.unfinished.empty() && diagram.notes.empty())
     diagram.unfinished = beginnings.reason();
   return diagram;

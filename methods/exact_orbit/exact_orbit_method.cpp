@@ -356,7 +356,10 @@ std::unique_ptr<PreparedMethod> ExactOrbitMethod::prepare(const Problem& problem
 }
 
 Support ExactOrbitMethod::follows(const ParametrisedScene& scene) const {
-  const std::string obstacle = continuation_obstacle(scene.at(scene.middle()));
+  const Problem problem = scene.at(scene.middle());
+  if (scene.parameter == kEnergy && highest_load_harmonic(problem) > 0)
+    return {.ok = false, .reason = "a periodic load gives its motions an energy that they do not keep"};
+  const std::string obstacle = continuation_obstacle(problem);
   return {.ok = obstacle.empty(), .reason = obstacle};
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "methods/flow/impact_groups.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 
@@ -75,6 +76,26 @@ ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, c
   return change;
 }
 
+// Of free motions before compliant stops: a phase of contact, or its interruption, at every instant at which
+// a contact touches its stop, or lets go, of symmetric motions several. The motion is unique, and all grow.
+ChangeOfSequence begin_phases(OrbitFamily& family, const SequencedOrbit& orbit,
+                              const ExtendedEquations& equations) {
+  constexpr double kTouches = 1e-9, kBrief = 1e-3;
+  SequencedOrbit with_phases = orbit;
+  for (const GuardMaximum& maximum : survey(equations).maxima) {
+    const OrbitGuard& guard = maximum.guard;
+    const bool touch = guard.kind == GuardKind::clearance || guard.kind == GuardKind::pressure;
+    if (touch && guard.value < kTouches)
+      with_phases = with_contact_phase(with_phases, guard.index, guard.phase);
+  }
+  const auto quiet = with_quiet_section(family, with_phases);
+  auto start =
+      quiet ? start_growing(family, *quiet, "phases of contact begin or are interrupted") : std::nullopt;
+  if (!start) return {.obstacle = "how the motion goes on is not told"};
+  start->first_step_share = kBrief;
+  return {.start = std::move(start)};
+}
+
 // A closing of no force, e = 0: an impact before it, after which the contact flies for no time.
 ChangeOfSequence begin_flight(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index closing) {
   std::vector<PlacedEvent> placed = placed_events(orbit);
@@ -97,12 +118,27 @@ ChangeOfSequence end_flight(OrbitFamily& family, const SequencedOrbit& orbit, Ei
       fmt::format("contact {} closes at once", contact));
 }
 
+// The orbit without the phases of contact, or their interruptions, that have no length: of a symmetric motion
+// several end at once.
+SequencedOrbit without_brief_phases(SequencedOrbit orbit) {
+  constexpr double kNone = 1e-6;  // rad
+  for (Eigen::Index i = orbit.count() - 1; i > 0; --i) {
+    const bool one = event_of(orbit, i).contact == event_of(orbit, i - 1).contact;
+    if (!one || orbit.phase(i) - orbit.phase(i - 1) > kNone) continue;
+    orbit = without_event(without_event(orbit, i), i - 1);
+    --i;
+  }
+  return orbit;
+}
+
 // Events i - 1 and i of one contact have met.
 ChangeOfSequence end_phase(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
   const int contact = event_of(orbit, i).contact;
   const GuardKind kind =
       event_of(orbit, i).kind == ContactEvent::Kind::open ? GuardKind::clearance : GuardKind::pressure;
-  const SequencedOrbit without = without_event(without_event(orbit, i), i - 1);
+  SequencedOrbit without = without_event(without_event(orbit, i), i - 1);
+  if (!family.driven()) without = without_brief_phases(std::move(without));
+  if (!family.driven() && without.events.empty()) return {.obstacle = std::string(kLinearMode)};
   ExtendedEquations equations(family, without);
   if (!equations.evaluate(without.x)) return {.obstacle = "the orbit cannot be evaluated"};
   return begin_at(
@@ -223,6 +259,7 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
   switch (guard.kind) {
     case GuardKind::clearance:
     case GuardKind::pressure:
+      if (!rigid && !family.driven()) return begin_phases(family, orbit, equations);
       if (!rigid || (guard.kind == GuardKind::pressure && keeps_no_speed(dynamics)))
         return begin_phase(family, orbit, guard, rigid);
       break;

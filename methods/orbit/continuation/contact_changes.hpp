@@ -3,10 +3,14 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "methods/orbit/continuation/switching.hpp"
 
 namespace signorini {
+
+/// What lies beyond the end of a nonlinear mode where it touches its stops.
+inline constexpr std::string_view kLinearMode = "below it the linear mode; an end";
 
 /// What lies beyond the end of a curve: where it goes on, or why it does not.
 struct ChangeOfSequence {

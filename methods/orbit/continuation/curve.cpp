@@ -12,6 +12,7 @@
 #include "methods/orbit/continuation/hidden_bifurcations.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
+#include "methods/orbit/family/followed_quantity.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 #include "methods/orbit/impact_orders.hpp"
 
@@ -173,24 +174,15 @@ std::string why_over(const SequencedOrbit& last, std::size_t points, int max_poi
   return {};
 }
 
-// Whether the parameter passes one of several values forth and back on a step to where the equations are
-// evaluated.
-bool turns_past_value(const std::vector<double>& values, const ExtendedEquations& equations,
-                      const CurveStep& step, const Eigen::VectorXd& tangent) {
-  const ParametrisedScene& scene = equations.family().scene();
-  const double unit = equations.family().units().parameter, rate = step.length * unit;
-  const Eigen::Index last = tangent.size() - 1;
-  return turns_past(values, scene.low(), scene.high(), {step.x[last] * unit, rate * step.tangent[last]},
-                    {equations.parameter(), rate * tangent[last] / tangent.dot(step.tangent)});
-}
-
 constexpr double kFirstStep = 0.01, kShortestStep = 1e-7;  // [CurveUnits]; below, the curve ends
 
 class Tracer {
  public:
-  Tracer(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits)
+  Tracer(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits,
+         const std::optional<ParameterRange>& energies)
       : family_(family),
         limits_(limits),
+        followed_(family, energies),
         start_(start),
         equations_(std::make_unique<ExtendedEquations>(family, start.orbit)),
         step_(kFirstStep * start.first_step_share) {}
@@ -231,12 +223,12 @@ class Tracer {
     const auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
-    const auto target = this->target();
+    const auto target = followed_.target(limits_.at, *equations_, here_.x);
     const bool beyond = target && target->leaves;
     if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
-    if (step_ > kShortestTurn && turns_past_value(limits_.at, *equations_, whole_step(), *tangent))
+    if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
       return shorten(0.5);
     Station next = station_at(*equations_, *tangent);
     if (rejects(next)) return reject();
@@ -280,15 +272,8 @@ class Tracer {
     }
   }
 
-  [[nodiscard]] std::optional<StepTarget> target() const {
-    const ParametrisedScene& scene = family_.scene();
-    return first_target(limits_.at, scene.low(), scene.high(),
-                        here_.x[here_.x.size() - 1] * family_.units().parameter, equations_->parameter());
-  }
-
   bool shorten_to(const StepTarget& target) {
-    const auto length = length_to_parameter(*equations_, whole_step(), equations_->orbit().x,
-                                            target.value / family_.units().parameter);
+    const auto length = followed_.length_to(target.value, *equations_, whole_step());
     if (length && !target.leaves) planned_ = step_;
     if (length) step_ = *length;
     return length.has_value();
@@ -373,6 +358,7 @@ class Tracer {
 
   OrbitFamily& family_;
   const CurveLimits& limits_;
+  const FollowedQuantity followed_;
   const CurveStart& start_;
   std::unique_ptr<ExtendedEquations> equations_;
   Station here_;
@@ -393,8 +379,9 @@ bool is_grazing(const OrbitGuard& guard, const SequencedOrbit& orbit) {
          orbit.events[static_cast<std::size_t>(guard.index)].kind == ContactEvent::Kind::impact;
 }
 
-TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits) {
-  return Tracer(family, start, limits).run();
+TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits,
+                        const std::optional<ParameterRange>& energies) {
+  return Tracer(family, start, limits, energies).run();
 }
 
 }  // namespace signorini

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/continuation/interval_gaps.hpp"
 #include "methods/orbit/continuation/orbit_branch.hpp"
 #include "methods/orbit/family/survey.hpp"
 
@@ -64,7 +65,10 @@ struct TracedCurve {
 /// that is zero at the start is armed once it is positive; if it becomes negative first, the start is
 /// rejected. The section moves to the middle of the longest time between two events when an event comes
 /// within .2 rad of it.
-TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits);
+/// \param energies  of free motions followed by their energy: the interval and limits.at are of it [J], and
+///                  the parameter has no end
+TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits,
+                        const std::optional<ParameterRange>& energies = {});
 
 /// Whether a guard's zero at a rigid stop is an impact's fading or a new contact: the motion on either side
 /// is a grazing one.

@@ -73,10 +73,15 @@ std::optional<double> value_to_ask(const std::vector<OrbitBranch>& branches,
 
 class DiagramTracer {
  public:
-  DiagramTracer(OrbitFamily& family, const CurveLimits& limits)
-      : family_(family), limits_(limits), queue_(limits) {}
+  DiagramTracer(OrbitFamily& family, const CurveLimits& limits, const std::optional<ParameterRange>& energies)
+      : family_(family), limits_(limits), energies_(energies), queue_(limits) {}
 
-  OrbitDiagram run(const std::vector<SequencedOrbit>& seeds, const OrbitsAt& more) {
+  OrbitDiagram run(const std::vector<SequencedOrbit>& seeds, const OrbitsAt& more,
+                   const std::vector<CurveStart>& starts) {
+    for (const CurveStart& start : starts) {
+      if (queue_.is_over()) break;
+      follow(start);
+    }
     // The interval first: what begins on the way may be a cascade that has no end.
     for (const SequencedOrbit& seed : seeds) {
       if (queue_.is_over()) break;
@@ -128,7 +133,7 @@ class DiagramTracer {
           in_order_along(
               family_,
               {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none}),
-          limits_);
+          limits_, energies_);
     };
     const TracedCurve forward = half(1.0);
     if (forward.closes) {
@@ -180,7 +185,7 @@ class DiagramTracer {
   }
 
   void follow(const CurveStart& start) {
-    const TracedCurve curve = trace_curve(family_, start, limits_);
+    const TracedCurve curve = trace_curve(family_, start, limits_, energies_);
     if (!curve.rejected.empty()) {
       if (curve.rejected != kEndOfInterval) note(start.origin + ": " + curve.rejected);
       return;
@@ -237,6 +242,8 @@ class DiagramTracer {
     if (contains(grazings_, grazing->mark)) return;
     grazings_.push_back(grazing->mark);
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
+    if (!family_.driven() && grazing->base.events.empty())
+      return note(fmt::format("{}: {}", where, kLinearMode));
     if (!end.same(grazing->mark)) {
       if (auto start = start_clear(family_, *grazing)) queue_.add(std::move(*start));
     }
@@ -256,6 +263,7 @@ class DiagramTracer {
 
   OrbitFamily& family_;
   const CurveLimits& limits_;
+  const std::optional<ParameterRange>& energies_;
   CurveQueue<CurveStart, OrbitBranch> queue_;
   std::vector<OrbitMark> ends_, grazings_, doubled_, crossed_, changed_;
   int too_long_ = 0;
@@ -264,8 +272,10 @@ class DiagramTracer {
 }  // namespace
 
 OrbitDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
-                           const CurveLimits& limits, const OrbitsAt& more) {
-  return DiagramTracer(family, limits).run(seeds, more);
+                           const CurveLimits& limits, const OrbitsAt& more,
+                           const std::vector<CurveStart>& starts,
+                           const std::optional<ParameterRange>& energies) {
+  return DiagramTracer(family, limits, energies).run(seeds, more, starts);
 }
 
 }  // namespace signorini

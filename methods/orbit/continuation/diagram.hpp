@@ -23,7 +23,11 @@ using OrbitsAt = std::function<std::vector<SequencedOrbit>(double parameter)>;
 /// not followed in `notes`: it is an end of its branch all the same.
 /// \param more  asked for orbits where the branches from `seeds` leave more than a hundredth of the interval
 ///              out, in the widest gap first, four times at most
+/// \param starts  of curves that are followed first, each one way
+/// \param energies  as of trace_curve
 OrbitDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,
-                           const CurveLimits& limits, const OrbitsAt& more = {});
+                           const CurveLimits& limits, const OrbitsAt& more = {},
+                           const std::vector<CurveStart>& starts = {},
+                           const std::optional<ParameterRange>& energies = {});
 
 }  // namespace signorini

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "methods/orbit/family/branch_point.hpp"
+#include "methods/orbit/family/followed_quantity.hpp"
 #include "methods/orbit/impact_orders.hpp"
 
 namespace signorini {
@@ -18,17 +19,6 @@ Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent)
 }
 
 namespace {
-
-// 1/2 v^T M v + 1/2 u^T K u - f_0^T u, and of the springs of closed contacts 1/2 lambda^T C lambda.
-double energy_of(const OrbitModel& model, const FlowState& at) {
-  const FlowStructure& s = model.dynamics.structure();
-  const State& y = at.state;
-  double energy = 0.5 * (y.v.dot(s.mass * y.v) + y.u.dot(s.stiffness * y.u)) - y.u.dot(s.load_at(at.time));
-  if (model.dynamics.rigid()) return energy;
-  const ContactMode mode = model.dynamics.mode(at.closed);
-  const Eigen::VectorXd over = s.unloaded(at.time, y.u, 0)(mode.active) - s.gaps(mode.active);
-  return energy + 0.5 * over.dot(mode.response * over);
-}
 
 // SolutionPoint::motion.
 Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {

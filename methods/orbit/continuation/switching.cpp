@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <utility>
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/grazing_families.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/family/branch_point.hpp"
 #include "methods/orbit/family/chatter.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
@@ -322,11 +324,46 @@ bool sticks(const SequencedOrbit& orbit) {
                                           [&](const SequenceEvent& event) { return any(event.closed); });
 }
 
+// `periods` periods of the orbit with impacts of no speed at some passages of its touches (GrazingFamily).
+std::optional<SequencedOrbit> struck_at(OrbitFamily& family, const GrazingOrbit& grazing, int periods,
+                                        const std::vector<int>& hits) {
+  const double p = grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter;
+  const auto count = static_cast<int>(grazing.touches.size());
+  std::vector<PlacedEvent> impacts;
+  for (const int hit : hits) {
+    const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(hit % count)];
+    impacts.emplace_back(touch.phase + hit / count * grazing.base.end(),
+                         SequenceEvent{.kind = ContactEvent::Kind::impact,
+                                       .contact = touch.contact,
+                                       .pushed = {touch.contact},
+                                       .restitution = {family.model(p)->dynamics.restitution()}});
+  }
+  return with_quiet_section(family, with_impacts(repeated(grazing.base, periods), impacts));
+}
+
+// Of free motions: each touch struck alone and, as symmetric motions have them, all of them.
+std::optional<std::vector<CurveStart>> start_struck_freely(OrbitFamily& family, const GrazingOrbit& grazing,
+                                                           const std::string& origin) {
+  std::vector<int> all(grazing.touches.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::vector<int>> patterns(all.size() > 1 ? 1 : 0, all);
+  for (const int touch : all) patterns.push_back({touch});
+  std::vector<CurveStart> starts;
+  for (const std::vector<int>& hits : patterns) {
+    const auto orbit = struck_at(family, grazing, 1, hits);
+    if (auto start = orbit ? start_growing(family, *orbit, origin) : std::nullopt) starts.push_back(*start);
+  }
+  return starts.empty() ? std::nullopt : std::optional(std::move(starts));
+}
+
 }  // namespace
 
 std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
                                                        int max_order) {
   const double p = grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter;
+  const std::string origin =
+      fmt::format("grazing of contact {} at {:.10g}", grazing.touches.front().contact, p);
+  if (!family.driven()) return start_struck_freely(family, grazing, origin);
   const int most = std::max(1, max_order / grazing.base.order);
   auto families = grazing_families(family, grazing.base, grazing.touches, most);
   // An orbit that keeps no memory of the impact, being brought to rest on its stop by it or in each period:
@@ -344,19 +381,7 @@ std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, cons
   };
   std::vector<CurveStart> starts;
   for (const GrazingFamily& found : *families) {
-    std::vector<PlacedEvent> impacts;
-    for (const int hit : found.hits) {
-      const auto count = static_cast<int>(grazing.touches.size());
-      const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(hit % count)];
-      const int period = hit / count;
-      impacts.emplace_back(touch.phase + period * grazing.base.end(),
-                           SequenceEvent{.kind = ContactEvent::Kind::impact,
-                                         .contact = touch.contact,
-                                         .pushed = {touch.contact},
-                                         .restitution = {family.model(p)->dynamics.restitution()}});
-    }
-    const auto orbit =
-        with_quiet_section(family, with_impacts(repeated(grazing.base, found.periods), impacts));
+    const auto orbit = struck_at(family, grazing, found.periods, found.hits);
     if (!orbit) continue;
     ExtendedEquations equations(family, *orbit);
     if (!equations.evaluate(orbit->x)) continue;
@@ -364,8 +389,7 @@ std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, cons
     for (const auto& crossing : equations.equations().crossings())
       fresh.push_back(std::abs(crossing.approach) < 1e-7 * family.units().velocity);
     auto start = start_where_grows(
-        family, *orbit, [&](const ExtendedEquations& at) { return speed_of_new(fresh, at); },
-        fmt::format("grazing of contact {} at {:.10g}", grazing.touches.front().contact, p));
+        family, *orbit, [&](const ExtendedEquations& at) { return speed_of_new(fresh, at); }, origin);
     if (start) starts.push_back(std::move(*start));
   }
   return starts;

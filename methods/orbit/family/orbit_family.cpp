@@ -10,16 +10,6 @@
 
 namespace signorini {
 
-namespace {
-
-bool is_driven(const Problem& problem) {
-  return std::any_of(problem.force.begin(), problem.force.end(), [](const ForceTerm& term) {
-    return term.harmonic > 0 && (term.cos != 0.0 || term.sin != 0.0);
-  });
-}
-
-}  // namespace
-
 std::string continuation_obstacle(const Problem& problem) {
   if (problem.size() > kMostInDenseFlow)
     return fmt::format("{} coordinates are more than {}", problem.size(), kMostInDenseFlow);
@@ -27,7 +17,7 @@ std::string continuation_obstacle(const Problem& problem) {
   if (std::holds_alternative<MixedLaws>(scene_law)) return "contacts of different laws are not continued";
   const auto* law = std::get_if<Restitution>(&scene_law);
   const bool loses = problem.damping().norm() > 0.0 || (law != nullptr && law->e < 1.0);
-  if (!is_driven(problem) && loses) return "without a periodic load it comes to rest";
+  if (highest_load_harmonic(problem) == 0 && loses) return "without a periodic load it comes to rest";
   if (std::string obstacle = flow_obstacle(problem); !obstacle.empty()) return obstacle;
   if (condense(problem).relaxation > 0.0)
     return "coordinates without mass are damped, whose orbits are not continued";
@@ -37,7 +27,7 @@ std::string continuation_obstacle(const Problem& problem) {
 OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)
     : scene_(std::move(scene)), units_(units) {
   const Problem problem = scene_.at(scene_.middle());
-  driven_ = is_driven(problem);
+  driven_ = highest_load_harmonic(problem) > 0;
   if (scene_.parameter == kFrequency && !load_grows(problem))
     middle_ = std::make_unique<OrbitModel>(problem, modes_);
 }
