@@ -6,9 +6,7 @@ namespace signorini {
 
 ParametrisedScene over_frequency(const Problem& problem, double from, double to) {
   return {.parameter = std::string(kFrequency), .from = from, .to = to, .at = [problem](double frequency) {
-            Problem changed = problem;
-            changed.frequency = frequency;
-            return changed;
+            return at_frequency(problem, frequency);
           }};
 }
 

@@ -76,8 +76,14 @@ void damp_stops(Problem& problem, const std::vector<DampedStop>& stops) {
   const int size = first + static_cast<int>(stops.size());
   problem.edit_structure([&](Structure& s) {
     s.mass = extended(s.mass, size, {});
-    s.damping = extended(s.damping, size, std::move(dampers));
-    s.stiffness = extended(s.stiffness, size, std::move(springs));
+    s.damping = extended(s.damping, size, dampers);
+    s.stiffness = extended(s.stiffness, size, springs);
+    if (s.speed)
+      s.speed = std::make_shared<const SpeedTerms>(
+          SpeedTerms{.damping = extended(s.speed->damping, size, std::move(dampers)),
+                     .stiffness = extended(s.speed->stiffness, size, std::move(springs)),
+                     .gyroscopic = extended(s.speed->gyroscopic, size, {}),
+                     .circulatory = extended(s.speed->circulatory, size, {})});
   });
 }
 

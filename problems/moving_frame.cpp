@@ -134,6 +134,8 @@ void add_load(Problem& problem, int harmonic, int power, const Eigen::MatrixX2d&
 void move_stops(Problem& problem, const std::vector<StopTerm>& terms) {
   const StopMotions motions = by_harmonic(terms);
   if (motions.empty()) return;
+  if (follows_speed(problem))
+    throw InvalidProblem("contact", "stops that move", "must rest where matrices follow the frequency");
   require_few_harmonics(motions, problem);
   std::vector<Group> groups;
   for (std::vector<int>& members : groups_of(problem.contacts)) {

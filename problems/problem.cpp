@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -81,6 +82,24 @@ struct SetLaws {
 }  // namespace
 
 void Problem::set_law(const Law& law) { std::visit(SetLaws{contacts}, law); }
+
+Problem at_frequency(Problem problem, double frequency) {
+  problem.frequency = frequency;
+  if (const std::shared_ptr<const SpeedTerms> speed = problem.structure->speed) {
+    problem.edit_structure([&](Structure& s) {
+      s.damping = speed->damping + frequency * speed->gyroscopic;
+      s.stiffness = speed->stiffness + frequency * speed->circulatory;
+    });
+  }
+  return problem;
+}
+
+void follow_speed(Structure& structure, const SparseMatrix& gyroscopic, const SparseMatrix& circulatory) {
+  structure.speed = std::make_shared<const SpeedTerms>(SpeedTerms{.damping = structure.damping,
+                                                                  .stiffness = structure.stiffness,
+                                                                  .gyroscopic = gyroscopic,
+                                                                  .circulatory = circulatory});
+}
 
 Problem with_subharmonic(Problem problem, int order) {
   problem.subharmonic = order;

@@ -138,6 +138,17 @@ struct Problem {
   [[nodiscard]] double base_frequency() const { return frequency / subharmonic; }
 };
 
+/// The same scene under a load of another frequency [rad/s], D and K at that speed where they follow it
+/// (SpeedTerms). The one way to change the frequency of a problem whose matrices may follow it.
+Problem at_frequency(Problem problem, double frequency);
+
+/// Makes D and K of the structure, as they are, those at rest: omega times these matrices is added to them,
+/// omega being the frequency of the load. \param gyroscopic, circulatory  Nd x Nd [N s^2/m] [N s/m]
+void follow_speed(Structure& structure, const SparseMatrix& gyroscopic, const SparseMatrix& circulatory);
+
+/// Whether D or K follow the frequency of the load: the structure is then another one at another frequency.
+inline bool follows_speed(const Problem& problem) { return problem.structure->speed != nullptr; }
+
 /// `problem` with motions of period `order` * 2 pi / omega sought.
 Problem with_subharmonic(Problem problem, int order);
 

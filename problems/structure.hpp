@@ -2,17 +2,29 @@
 // A linear structure without its loads and contacts: the three matrices of its equation of motion.
 
 #include <Eigen/SparseCore>
+#include <memory>
 
 namespace signorini {
 
 /// The one sparse matrix type of the project: real, compressed by columns, with int indices.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// D and K of a rotor that turns as fast as its load, D = D_0 + omega D_1 and K = K_0 + omega K_1, omega
+/// being the frequency of the load; all four matrices are Nd x Nd.
+struct SpeedTerms {
+  SparseMatrix damping;      ///< D_0 [N s/m]
+  SparseMatrix stiffness;    ///< K_0 [N/m]
+  SparseMatrix gyroscopic;   ///< D_1, skew-symmetric [N s^2/m]
+  SparseMatrix circulatory;  ///< K_1, skew-symmetric [N s/m]
+};
+
 /// M u'' + D u' + K u = forces; all three matrices are Nd x Nd.
 struct Structure {
   SparseMatrix mass;       ///< M, symmetric positive semi-definite [kg]
   SparseMatrix damping;    ///< D [N s/m]
   SparseMatrix stiffness;  ///< K, its symmetric part positive semi-definite; a skew part circulates [N/m]
+  /// What D and K are at other speeds; null where they do not follow the frequency of the load.
+  std::shared_ptr<const SpeedTerms> speed = nullptr;
 };
 
 }  // namespace signorini

@@ -240,6 +240,8 @@ void show_forcing(const Scene& scene) {
           problem.subharmonic > 1 ? fmt::format(" ({} periods of the load)", problem.subharmonic) : ""));
   if (load_grows(problem))
     show_line("", "terms that grow with omega: unbalance, or a base or stop that moves");
+  if (follows_speed(problem))
+    show_line("", "gyroscopic or circulatory matrices grow with omega: those above are of this omega");
   for (const SampledLoad& load : scene.sampled_loads)
     show_line(
         "",

@@ -52,6 +52,7 @@ Problem with_structure_scaled(Problem problem, double factor) {
     s.mass *= factor;
     s.damping *= factor;
     s.stiffness *= factor;
+    s.speed = nullptr;  // solved at its one frequency
   });
   scale_load(problem, factor);
   for (Contact& contact : problem.contacts)
@@ -63,6 +64,7 @@ Problem with_time_scaled(Problem problem, double factor) {
   problem.edit_structure([&](Structure& s) {
     s.mass *= factor * factor;
     s.damping *= factor;
+    s.speed = nullptr;
   });
   problem.frequency /= factor;
   for (ForceTerm& term : problem.force) {  // of the same force
@@ -86,6 +88,7 @@ Problem with_coordinates_reversed(const Problem& problem) {
     s.mass = problem.mass().twistedBy(reversal);
     s.damping = problem.damping().twistedBy(reversal);
     s.stiffness = problem.stiffness().twistedBy(reversal);
+    s.speed = nullptr;
   });
   for (ForceTerm& term : result.force) term.dof = last - term.dof;
   for (FrameTerm& term : result.frame) term.dof = last - term.dof;

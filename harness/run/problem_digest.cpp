@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 #include "harness/files.hpp"
 #include "harness/records/record_json.hpp"
@@ -31,7 +32,10 @@ std::string problem_digest(const Problem& problem, const RepresentedLaw& law) {
   std::string bytes = fmt::format("{} {:a} {} {}\n", problem.size(), problem.frequency, problem.subharmonic,
                                   json_text(JsonForm<RepresentedLaw>::write(law)));
   const Eigen::VectorXd vector = probe(problem.size());
-  for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
+  std::vector<const SparseMatrix*> matrices{&problem.mass(), &problem.damping(), &problem.stiffness()};
+  if (const SpeedTerms* speed = problem.structure->speed.get())
+    matrices.insert(matrices.end(), {&speed->gyroscopic, &speed->circulatory});
+  for (const SparseMatrix* matrix : matrices) {
     const Eigen::VectorXd product = *matrix * vector;
     bytes.append(reinterpret_cast<const char*>(product.data()),
                  static_cast<std::size_t>(product.size()) * sizeof(double));

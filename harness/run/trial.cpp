@@ -273,7 +273,7 @@ void take_summary(const Trial& trial, const Trajectory& answer, const Motion& mo
 }  // namespace
 
 bool TrialSeries::goes_on(const Problem& next) {
-  if (!prepared_) return false;
+  if (!prepared_ || follows_speed(next)) return false;
   auto problem = std::make_unique<Problem>(next);
   problem->structure = problem_->structure;  // a method may refer to its matrices
   const ProcessState usual;

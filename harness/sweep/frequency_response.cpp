@@ -59,7 +59,7 @@ class SweepSolves final : public SolveSeries {
  public:
   SweepSolves(const Scene& scene, std::vector<double> frequencies, Deadline end)
       : scene_(scene), frequencies_(std::move(frequencies)), end_(end) {
-    scene_.problem.frequency = frequencies_.front();
+    scene_.problem = at_frequency(std::move(scene_.problem), frequencies_.front());
   }
 
   [[nodiscard]] const Scene& scene() const override { return scene_; }
@@ -72,7 +72,7 @@ class SweepSolves final : public SolveSeries {
       answered_ = scene_.problem.frequency;
     }
     if (++next_ == frequencies_.size() || end_.passed()) return false;
-    scene_.problem.frequency = frequencies_[next_];
+    scene_.problem = at_frequency(std::move(scene_.problem), frequencies_[next_]);
     return true;
   }
 

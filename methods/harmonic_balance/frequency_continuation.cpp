@@ -22,12 +22,6 @@ constexpr int kSearchSteps = 32;
 constexpr PathSteps kFrequencySteps{
     .first = 1.0 / 16.0, .largest = 1.0 / 16.0, .smallest = 1.0 / 4096.0, .trials = 200};
 
-/// The scene under the same load at another frequency; shares the matrices.
-Problem at_frequency(Problem problem, double frequency) {
-  problem.frequency = frequency;
-  return problem;
-}
-
 bool nothing_touches(const Problem& problem, int samples) {
   try {
     // x_f has no harmonics but those of the load.

@@ -15,6 +15,7 @@ ReceptanceRate receptance_with_rate(const Problem& problem, int harmonics, const
   const Eigen::SparseMatrix<Complex> damping = problem.damping().cast<Complex>();
   const int loaded = load_bandwidth(problem);
   const bool grows = load_grows(problem);
+  const SpeedTerms* speed = problem.structure->speed.get();
   DynamicStiffness stiffness(problem);
   ReceptanceRate result;
   result.value.period = problem.period();
@@ -42,6 +43,9 @@ ReceptanceRate receptance_with_rate(const Problem& problem, int harmonics, const
     const Complex of_mass = 2.0 * weight.mass / problem.frequency;
     const Complex of_damping = weight.damping / problem.frequency;
     Eigen::MatrixXcd changes = -(of_mass * (mass * X) + of_damping * (damping * X));
+    if (speed != nullptr)
+      changes -= weight.damping * (speed->gyroscopic.cast<Complex>() * X) +
+                 weight.stiffness * (speed->circulatory.cast<Complex>() * X);
     if (grows && n <= loaded) changes.col(contacts) += weight.load * load_coefficient_rate(problem, n);
     const Eigen::MatrixXcd rate = stiffness.solve(changes);
     const Eigen::MatrixXcd seen = directions.transpose() * X, changed = directions.transpose() * rate;

@@ -91,7 +91,9 @@ SparseMatrix on_rotation(int node, double value, Eigen::Index size) {
   return A;
 }
 
-SparseMatrix gyroscopic(const Shaft& shaft) {
+}  // namespace
+
+SparseMatrix gyroscopic_matrix(const Shaft& shaft) {
   const int size = 4 * (shaft.beam.elements + 1), theta = 4 * shaft.disc_node + 1, phi = theta + 2;
   const double momentum = shaft.polar_inertia * shaft.spin;
   SparseMatrix G(size, size);
@@ -100,8 +102,6 @@ SparseMatrix gyroscopic(const Shaft& shaft) {
   G.insert(phi, theta) = -momentum;
   return G;
 }
-
-}  // namespace
 
 SparseMatrix unclamped_mass(const Bar& bar) {
   const double mass = bar.density * bar.area * bar.length / bar.elements;
@@ -172,10 +172,11 @@ Structure assemble(const Shaft& shaft) {
   const std::vector<int> ends = {0, shaft.beam.elements};
   const SparseMatrix disc = on_nodes({shaft.disc_node}, shaft.disc_mass, mass.rows()) +
                             on_rotation(shaft.disc_node, shaft.disc_inertia, mass.rows());
-  return {.mass = in_two_planes(mass + disc),
-          .damping = in_two_planes(on_nodes(ends, shaft.bearing_damping, mass.rows())) + gyroscopic(shaft),
-          .stiffness = in_two_planes(unclamped_stiffness(shaft.beam) +
-                                     on_nodes(ends, shaft.bearing_stiffness, mass.rows()))};
+  return {
+      .mass = in_two_planes(mass + disc),
+      .damping = in_two_planes(on_nodes(ends, shaft.bearing_damping, mass.rows())) + gyroscopic_matrix(shaft),
+      .stiffness = in_two_planes(unclamped_stiffness(shaft.beam) +
+                                 on_nodes(ends, shaft.bearing_stiffness, mass.rows()))};
 }
 
 }  // namespace signorini

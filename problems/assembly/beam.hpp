@@ -82,4 +82,7 @@ struct Shaft {
 /// out.
 Structure assemble(const Shaft& shaft);
 
+/// The skew part of that D, of the disc's gyroscopic moment, Nd x Nd [N s/m].
+SparseMatrix gyroscopic_matrix(const Shaft& shaft);
+
 }  // namespace signorini

@@ -30,6 +30,7 @@ class SceneField {
   [[nodiscard]] bool given() const { return node_ != nullptr; }
   [[nodiscard]] bool is_table() const { return as<TomlTable>() != nullptr; }
   [[nodiscard]] bool is_array() const { return as<TomlArray>() != nullptr; }
+  [[nodiscard]] bool is_text() const { return as<std::string>() != nullptr; }
   [[nodiscard]] const std::string& path() const { return path_; }
   /// This field under another path, for a part that was taken out of its document.
   [[nodiscard]] SceneField named(std::string path) const { return {node_, std::move(path), line_, file_}; }

@@ -179,6 +179,15 @@ double read_polar_inertia(const SceneField& field, double diametral) {
   return inertia;
 }
 
+// False of a number, which is left in `spin`; true where it is the frequency of the load.
+bool read_spin(const SceneField& field, double& spin) {
+  constexpr std::string_view kRequirement =
+      "must be a finite number [rad/s], or \"synchronous\": the frequency of the load";
+  if (field.is_text() && field.text(kRequirement) == "synchronous") return true;
+  spin = field.number_or(0.0, kRequirement);
+  return false;
+}
+
 SystemDescription read_shaft(const SceneField& system) {
   system.allow_only(
       {"kind", "elements", "length", "area", "inertia", "young", "density", "disc_mass", "disc_node",
@@ -195,7 +204,7 @@ SystemDescription read_shaft(const SceneField& system) {
                            ? system["disc_inertia"].number("must be a number >= 0 [kg m^2]", 0.0)
                            : 0.0;
   shaft.polar_inertia = read_polar_inertia(system["disc_polar_inertia"], shaft.disc_inertia);
-  shaft.spin = system["spin"].number_or(0.0, "must be a finite number [rad/s]");
+  const bool synchronous = read_spin(system["spin"], shaft.spin);
   const int size = 4 * (last + 1);
   auto undamped = std::make_shared<Structure>(assemble(shaft));
   std::vector<std::string> notices;
@@ -203,6 +212,15 @@ SystemDescription read_shaft(const SceneField& system) {
   SystemDescription description = damped_structure(
       shaft, [undamped = std::move(undamped)](const std::vector<int>&) { return *undamped; },
       read_damping(system["damping"], size), size);
+  if (synchronous) {
+    shaft.spin = 1.0;
+    description.assemble = [standing = std::move(description.assemble),
+                            rate = gyroscopic_matrix(shaft)](const std::vector<int>& contact_coordinates) {
+      const auto structure = std::make_shared<Structure>(*standing(contact_coordinates));
+      follow_speed(*structure, rate, SparseMatrix(rate.rows(), rate.cols()));
+      return structure;
+    };
+  }
   description.held = std::move(held);
   description.notices = std::move(notices);
   return description;

@@ -106,7 +106,13 @@ std::filesystem::path file_beside(const SceneField& field, const std::string& na
   return std::filesystem::path(field.file()).parent_path() / name;
 }
 
-constexpr std::array kMatrixKeys{"mass", "damping", "stiffness", "gyroscopic", "circulatory"};
+constexpr std::array kMatrixKeys{"mass",
+                                 "damping",
+                                 "stiffness",
+                                 "gyroscopic",
+                                 "circulatory",
+                                 "gyroscopic_per_speed",
+                                 "circulatory_per_speed"};
 constexpr double kNoise = 1e-12;  // of the largest entry
 
 NamedFile read_matrix_text(const SceneField& field) {
@@ -241,14 +247,15 @@ SparseMatrix read_matrix_damping(const SceneField& system, const Structure& stru
   return damping_matrix(read_rayleigh(rayleigh), structure.mass, structure.stiffness);
 }
 
-// A part of a matrix that does no work, or feeds it, where it is given.
-void add_skew_matrix(const SceneField& system, const char* key, MatrixFiles& files, SparseMatrix& whole) {
-  if (!system[key].given()) return;
-  const SparseMatrix skew = files.read(key, whole.rows());
+// A part of a matrix that does no work, or feeds it; zero where it is not given.
+SparseMatrix read_skew_matrix(const SceneField& system, const char* key, MatrixFiles& files,
+                              Eigen::Index size) {
+  if (!system[key].given()) return {size, size};
+  SparseMatrix skew = files.read(key, size);
   if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <= kNoise * largest_entry(skew)))
     system[key].refuse("matrix with a symmetric part",
                        "must be skew-symmetric to 1e-12 of its largest entry");
-  whole += skew;
+  return skew;
 }
 
 void require_symmetric(const SceneField& system, const char* key, const SparseMatrix& A,
@@ -264,7 +271,7 @@ void require_symmetric(const SceneField& system, const char* key, const SparseMa
 
 SystemDescription read_matrices(const SceneField& system) {
   system.allow_only({"kind", "mass", "damping", "rayleigh", "modal", "stiffness", "gyroscopic", "circulatory",
-                     "symmetric_part"},
+                     "gyroscopic_per_speed", "circulatory_per_speed", "symmetric_part"},
                     "must be a table");
   MatrixFiles files(system);
   // Swapped, not moved: these matrices have no moves, and copies of a dense one are large.
@@ -276,15 +283,23 @@ SystemDescription read_matrices(const SceneField& system) {
   std::vector<std::string> notices;
   std::vector<int> held = hold_supports(*structure, notices);
   read_matrix_damping(system, *structure, files).swap(structure->damping);
-  add_skew_matrix(system, "gyroscopic", files, structure->damping);
-  add_skew_matrix(system, "circulatory", files, structure->stiffness);
+  const Eigen::Index size = structure->mass.rows();
+  if (system["gyroscopic"].given()) structure->damping += read_skew_matrix(system, "gyroscopic", files, size);
+  if (system["circulatory"].given())
+    structure->stiffness += read_skew_matrix(system, "circulatory", files, size);
+  SparseMatrix gyroscopic = read_skew_matrix(system, "gyroscopic_per_speed", files, size);
+  SparseMatrix circulatory = read_skew_matrix(system, "circulatory_per_speed", files, size);
   if (!held.empty()) {
+    uncouple(gyroscopic, held);
+    uncouple(circulatory, held);
     uncouple(structure->damping, held);
     const Eigen::VectorXd diagonal = structure->stiffness.diagonal();
     uncouple(structure->stiffness, held);  // of its circulatory part, too
     for (const int i : held) structure->stiffness.coeffRef(i, i) = diagonal[i];
     structure->stiffness.makeCompressed();
   }
+  if (system["gyroscopic_per_speed"].given() || system["circulatory_per_speed"].given())
+    follow_speed(*structure, gyroscopic, circulatory);
   SystemDescription description = independent_of_contacts(std::move(structure));
   description.held = std::move(held);
   description.notices = files.take_notices();

@@ -179,6 +179,8 @@ class CommandMethod final : public Method, public CurveMethod {
   [[nodiscard]] const CurveMethod* curve() const override { return description_.curves ? this : nullptr; }
 
   [[nodiscard]] Support follows(const ParametrisedScene& scene) const override {
+    if (follows_speed(scene.at(scene.from)))
+      return {false, "matrices that follow the frequency are not told to a command: sweep with --natural"};
     return follows_frequency(*this, scene);
   }
 

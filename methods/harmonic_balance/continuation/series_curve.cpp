@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
@@ -39,7 +40,7 @@ Eigen::VectorXd decreasing_receptance(const ContactReceptance& receptance) {
 
 SeriesFamily series_family(const Problem& problem, double from, double to) {
   SeriesFamily family{.problem = problem, .low = std::min(from, to), .high = std::max(from, to)};
-  family.problem.frequency = 0.5 * (from + to);
+  family.problem = at_frequency(problem, 0.5 * (from + to));
   family.frequency_unit = (family.high - family.low) / 3.0;
   family.displacement_unit =
       std::max(contact_gaps(problem).cwiseAbs().maxCoeff(), static_deflection(family.problem));
@@ -53,7 +54,7 @@ SeriesCurve::SeriesCurve(const SeriesFamily& family, int multiple)
       harmonics_(multiple * family.harmonics),
       problem_(with_subharmonic(family.problem, multiple * family.problem.subharmonic)),
       gap_(contact_gaps(family.problem)) {
-  problem_.frequency = 0.5 * (family.low + family.high);
+  problem_ = at_frequency(std::move(problem_), 0.5 * (family.low + family.high));
   weight_ = decreasing_receptance(fourier_receptance(problem_, harmonics_)) / family.displacement_unit;
 }
 
@@ -82,7 +83,7 @@ ContactReceptance SeriesCurve::of_scenes_order(const ContactReceptance& receptan
 bool SeriesCurve::evaluate(const Eigen::VectorXd& x) {
   const double frequency = x[size()] * family_.frequency_unit;
   if (!x.allFinite() || !(frequency > 0.0)) return false;
-  problem_.frequency = frequency;
+  problem_ = at_frequency(std::move(problem_), frequency);
   try {
     receptance_ = receptance_with_rate(problem_, harmonics_, harmonics_of(problem_.base_frequency()));
   } catch (const SingularStiffness&) {

@@ -29,7 +29,7 @@ ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int s
 
 HatFamily hat_family(const Problem& problem, double from, double to) {
   HatFamily family{.problem = problem, .low = std::min(from, to), .high = std::max(from, to)};
-  family.problem.frequency = 0.5 * (from + to);
+  family.problem = at_frequency(problem, 0.5 * (from + to));
   family.frequency_unit = (family.high - family.low) / 3.0;
   if (problem.contact_count() == 0) return family;
   family.displacement_unit =
@@ -44,7 +44,7 @@ HatCurve::HatCurve(const HatFamily& family, int multiple)
       samples_(multiple * family.samples),
       problem_(with_subharmonic(family.problem, multiple * family.problem.subharmonic)),
       stops_(nodal_stops(family.problem, family.restitution)) {
-  problem_.frequency = 0.5 * (family.low + family.high);
+  problem_ = at_frequency(std::move(problem_), 0.5 * (family.low + family.high));
   receptance_ = scheme_receptance(problem_, family.scheme, samples_);
   const BlockCirculant middle = operator_of(receptance_.value.receptance, stops_.compliance);
   weight_.resize(problem_.contact_count());
@@ -81,7 +81,7 @@ Eigen::VectorXd HatCurve::shifted_samples(const Eigen::MatrixXcd& spectrum) cons
 bool HatCurve::evaluate(const Eigen::VectorXd& x) {
   const double frequency = x[size()] * family_.frequency_unit;
   if (!x.allFinite() || !(frequency > 0.0)) return false;
-  problem_.frequency = frequency;
+  problem_ = at_frequency(std::move(problem_), frequency);
   try {
     receptance_ = scheme_receptance(problem_, family_.scheme, samples_);
   } catch (const SingularStiffness&) {

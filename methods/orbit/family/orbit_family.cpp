@@ -28,7 +28,7 @@ OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)
     : scene_(std::move(scene)), units_(units) {
   const Problem problem = scene_.at(scene_.middle());
   driven_ = highest_load_harmonic(problem) > 0;
-  if (scene_.parameter == kFrequency && !load_grows(problem))
+  if (scene_.parameter == kFrequency && !load_grows(problem) && !follows_speed(problem))
     middle_ = std::make_unique<OrbitModel>(problem, modes_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <complex>
 #include <numbers>
 
@@ -55,6 +56,36 @@ TEST(ReceptanceWithRate, HasThePartOfALoadThatGrows) {
   const Complex Z(1.0 - 1.7 * 1.7, 0.3 * 1.7), slope(-2.0 * 1.7, 0.3);
   EXPECT_LT(std::abs(found.value.free_response(1, 0) - 0.2 * 1.7 * 1.7 / Z), 1e-14);
   EXPECT_LT(std::abs(found.free_response(1, 0) - (0.4 * 1.7 / Z - 0.2 * 1.7 * 1.7 * slope / (Z * Z))), 1e-14);
+}
+
+// A disc in two directions that its gyroscopic moment and a seal couple, both growing with its speed. The
+// inverse of [a b; -b a] has a / (a^2 + b^2) on its diagonal.
+TEST(ReceptanceWithRate, HasThePartsOfMatricesThatFollowTheFrequency) {
+  const auto matrix = [](double diagonal, double skew) {
+    return SparseMatrix((Eigen::Matrix2d() << diagonal, skew, -skew, diagonal).finished().sparseView());
+  };
+  Problem disc;
+  disc.edit_structure([&](Structure& s) {
+    s.mass = matrix(1.0, 0.0);
+    s.damping = matrix(0.2, 0.0);
+    s.stiffness = matrix(3.0, 0.0);
+    follow_speed(s, matrix(0.0, 0.3), matrix(0.0, 0.1));
+  });
+  disc.contacts = {{.normal = {{0, 1.0}}, .gap = 1.0}};
+  const auto at = [&](double frequency) {
+    return receptance_with_rate(at_frequency(disc, frequency), 3,
+                                [&](int n) { return exact_weights(n * frequency); });
+  };
+  constexpr double kSpeed = 1.3, kStep = 1e-5;
+  const ReceptanceRate below = at(kSpeed - kStep), here = at(kSpeed), above = at(kSpeed + kStep);
+  for (std::size_t n = 0; n <= 3; ++n) {
+    const double w = static_cast<double>(n) * kSpeed;
+    const Complex diagonal(3.0 - w * w, 0.2 * w), skew = kSpeed * (Complex(0.0, 0.3 * w) + 0.1);
+    const Complex expected = diagonal / (diagonal * diagonal + skew * skew);
+    EXPECT_LT(std::abs(here.value.receptance[n](0, 0) - expected), 1e-14) << n;
+    const Complex slope = (above.value.receptance[n](0, 0) - below.value.receptance[n](0, 0)) / (2.0 * kStep);
+    EXPECT_LT(std::abs(here.receptance[n](0, 0) - slope), 1e-8 * (1.0 + std::abs(slope))) << n;
+  }
 }
 
 TEST(ReceptanceWithRate, OfAnUndampedResonanceIsRefused) {

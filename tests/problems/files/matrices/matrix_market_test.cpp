@@ -285,9 +285,10 @@ TEST_F(MatrixScene, IsRefusedInOneLineThatNamesTheCulprit) {
             "scene.toml:8: system.rayleigh = {alpha = 1} (must be absent: damping is given)");
   EXPECT_EQ(refusal(7, "modal = \"small\""),
             "scene.toml:7: system.modal = \"small\" (must be a damping ratio >= 0 [-], or a list of them)");
-  EXPECT_EQ(refusal(7, "young = 1.0"),
-            "scene.toml:7: system.young = 1 (unknown key; known: kind, mass, damping, rayleigh, modal, "
-            "stiffness, gyroscopic, circulatory, symmetric_part)");
+  EXPECT_EQ(
+      refusal(7, "young = 1.0"),
+      "scene.toml:7: system.young = 1 (unknown key; known: kind, mass, damping, rayleigh, modal, "
+      "stiffness, gyroscopic, circulatory, gyroscopic_per_speed, circulatory_per_speed, symmetric_part)");
 }
 
 TEST_F(MatrixScene, IsRefusedForMatricesThatAreNoStructure) {
@@ -305,7 +306,8 @@ TEST_F(MatrixScene, IsRefusedForMatricesThatAreNoStructure) {
             "scene.toml:6: system.stiffness = unsymmetric matrix (must be symmetric to 1e-12 of its largest "
             "entry; a_ij - a_ji is up to 0.0015 of it: symmetric_part = [\"stiffness\"] drops that; what is "
             "meant is a circulatory matrix)");
-  for (const std::string key : {"gyroscopic", "circulatory"}) {
+  for (const std::string key :
+       {"gyroscopic", "circulatory", "gyroscopic_per_speed", "circulatory_per_speed"}) {
     EXPECT_EQ(refusal(7, "rayleigh = { alpha = 0.1 }\n" + key + " = \"skew.mtx\""),
               "scene.toml:8: system." + key +
                   " = matrix with a symmetric part (must be skew-symmetric to 1e-12 of its largest entry)");
@@ -325,6 +327,30 @@ modal = 0.1
 frequency_hz = 0.5
 term = [{ dof = 1, cos = 1.0 }]
 )";
+
+TEST_F(MatrixScene, FollowsTheFrequencyWhereItsRotorDoes) {
+  write("M.mtx", written(Eigen::Matrix2d::Identity(), true, true));
+  write("K.mtx", written(3.0 * Eigen::Matrix2d::Identity(), true, true));
+  write("G.mtx", "%%MatrixMarket matrix coordinate real skew-symmetric\n2 2 1\n2 1 0.25\n");
+  std::string text(kTwoMasses);
+  text.replace(
+      text.find("modal = 0.1"), 11,
+      "rayleigh = { beta = 0.5 }\ngyroscopic_per_speed = \"G.mtx\"\ncirculatory_per_speed = \"G.mtx\"");
+  text.replace(text.find("frequency_hz = 0.5"), 18, "frequency = 4.0");
+  const Problem problem = load_scene(folder_.write("a.toml", text));
+  const auto matrix = [](double diagonal, double skew) {
+    return (Eigen::Matrix2d() << diagonal, -skew, skew, diagonal).finished();
+  };
+  EXPECT_EQ(Eigen::Matrix2d(problem.damping()), matrix(1.5, 1.0));
+  EXPECT_EQ(Eigen::Matrix2d(problem.stiffness()), matrix(3.0, 1.0));
+  const Problem slow = at_frequency(at_frequency(problem, 64.0), 2.0);
+  EXPECT_EQ(slow.frequency, 2.0);
+  EXPECT_EQ(Eigen::Matrix2d(slow.damping()), matrix(1.5, 0.5));
+  EXPECT_EQ(Eigen::Matrix2d(slow.stiffness()), matrix(3.0, 0.5));
+  text += "[[contact]]\ndof = 0\ngap = 1.0\nrestitution = 0.5\ngap_term = [{ cos = 0.1 }]\n";
+  const std::string refused = complaint([&] { load_scene(folder_.write("b.toml", text)); });
+  EXPECT_NE(refused.find("must rest where matrices follow the frequency"), std::string::npos) << refused;
+}
 
 TEST_F(MatrixScene, TakesTheSymmetricPartOnRequestAndSaysWhatIsDropped) {
   write("M.mtx", written(Eigen::Matrix2d::Identity(), true, true));
