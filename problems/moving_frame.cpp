@@ -134,8 +134,6 @@ void add_load(Problem& problem, int harmonic, int power, const Eigen::MatrixX2d&
 void move_stops(Problem& problem, const std::vector<StopTerm>& terms) {
   const StopMotions motions = by_harmonic(terms);
   if (motions.empty()) return;
-  if (follows_speed(problem))
-    throw InvalidProblem("contact", "stops that move", "must rest where matrices follow the frequency");
   require_few_harmonics(motions, problem);
   std::vector<Group> groups;
   for (std::vector<int>& members : groups_of(problem.contacts)) {
@@ -155,9 +153,16 @@ void move_stops(Problem& problem, const std::vector<StopTerm>& terms) {
     const double h = harmonic;
     Eigen::MatrixX2d rate(r.rows(), 2);
     rate << h * r.col(1), -h * r.col(0);
-    add_load(problem, harmonic, 0, -(problem.stiffness() * r));
-    add_load(problem, harmonic, 1, -(problem.damping() * rate));
-    add_load(problem, harmonic, 2, h * h * (problem.mass() * r));
+    Eigen::MatrixX2d of_springs = problem.stiffness() * r, of_dampers = problem.damping() * rate;
+    Eigen::MatrixX2d of_inertia = -h * h * (problem.mass() * r);
+    if (const SpeedTerms* speed = problem.structure->speed.get()) {
+      of_springs = speed->stiffness * r;
+      of_dampers = speed->damping * rate + speed->circulatory * r;
+      of_inertia += speed->gyroscopic * rate;
+    }
+    add_load(problem, harmonic, 0, -of_springs);
+    add_load(problem, harmonic, 1, -of_dampers);
+    add_load(problem, harmonic, 2, -of_inertia);
   }
 }
 

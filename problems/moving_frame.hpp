@@ -37,7 +37,6 @@ struct BaseTerm {
 /// apart, so that another frequency of the scene is the same stop at that frequency.
 ///
 /// \throws InvalidProblem where stops that share coordinates have no such r (two that approach each other),
-/// D or K follow the frequency,
 /// where more than 4e6 pairs of such stops and coordinates hang together, or harmonics times coordinates are
 /// more than 1e7
 void move_stops(Problem& problem, const std::vector<StopTerm>& terms);

@@ -50,6 +50,9 @@ class Contact:
     law: Mapping[str, object] | None = None
 
 
+PER_SPEED = {"damping": "gyroscopic_per_speed", "stiffness": "circulatory_per_speed"}
+
+
 @dataclass(frozen=True)
 class Problem:
     """M u'' + D u' + K u = f(t) + W lambda,  x = W^T u <= gap,  lambda <= 0,  lambda (x - gap) = 0.
@@ -61,7 +64,8 @@ class Problem:
     law: of impacts, {"restitution": e}, {"penalty": [k, ..]} with Nc stiffnesses [N/m], {"massless": True}, {"none": True} or,
     of contacts of different laws, {"mixed": [..]}, a list of one for each; each contact has its own then.
     start: a motion to begin from, if the program has one.
-    entries: of "mass" [kg], "damping" [N s/m] and "stiffness" [N/m], arrays (row, column, value).
+    entries: of "mass" [kg], "damping" [N s/m] and "stiffness" [N/m], arrays (row, column, value); where D and K follow the frequency also
+    of "gyroscopic_per_speed", dD / d omega [N s^2/m], and "circulatory_per_speed", dK / d omega [N s/m].
     """
 
     name: str
@@ -80,7 +84,7 @@ class Problem:
         """Of what the program hands to a method that is a command, docs/plugins.md."""
         text = request["problem"]
         matrices = {key: (np.array(text[key]["row"], dtype=int), np.array(text[key]["column"], dtype=int),
-                          np.array(text[key]["value"], dtype=float)) for key in ("mass", "damping", "stiffness")}
+                          np.array(text[key]["value"], dtype=float)) for key in ("mass", "damping", "stiffness", *PER_SPEED.values()) if key in text}
         return cls(name=text["name"], size=text["size"], frequency=text["frequency"], subharmonic=text["subharmonic"],
                    period=text["period"], law=text["law"], entries=matrices,
                    start=Motion.from_json(request["start"]) if "start" in request else None,
@@ -121,8 +125,22 @@ class Problem:
     def at(self, frequency: float) -> Problem:
         """The same structure and load at another frequency of the load [rad/s], without a motion to begin from."""
         ratio = frequency / self.frequency
-        return replace(self, frequency=frequency, period=self.period / ratio, start=None,
+        return replace(self, frequency=frequency, period=self.period / ratio, start=None, entries=self.entries_at(frequency),
                        loads=tuple(load.scaled(ratio) for load in self.loads))
+
+    def entries_at(self, frequency: float) -> dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]]:
+        """`entries` at another frequency of the load [rad/s]; at 0 they are those of a rotor at rest."""
+        entries = dict(self.entries)
+        for matrix, rate in PER_SPEED.items():
+            if rate not in entries:
+                continue
+            sums: dict[tuple[int, int], float] = {}
+            for factor, (rows, columns, values) in ((1.0, entries[matrix]), (frequency - self.frequency, entries[rate])):
+                for place, value in zip(zip(rows.tolist(), columns.tolist()), values.tolist()):
+                    sums[place] = sums.get(place, 0.0) + factor * value
+            rows, columns = np.array(list(sums), dtype=int).reshape(-1, 2).T
+            entries[matrix] = rows, columns, np.array(list(sums.values()))
+        return entries
 
     def load(self, harmonic: int) -> np.ndarray:
         """F_h, n complex [N]: the load is the sum over h of Re(F_h exp(i h omega t))."""

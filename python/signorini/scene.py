@@ -49,11 +49,14 @@ class Scene:
                       load: Mapping[int, float] | Sequence[Load] = (),
                       contacts: Mapping[int, float] | Sequence[Contact] = (),
                       law: Mapping[str, object] | None = None, subharmonic: int = 1, name: str = "from-matrices",
-                      title: str = "From matrices", circulatory: Matrix | None = None) -> Scene:
+                      title: str = "From matrices", circulatory: Matrix | None = None,
+                      gyroscopic_per_speed: Matrix | None = None, circulatory_per_speed: Matrix | None = None) -> Scene:
         """A scene of n coordinates.
 
         M, K: n x n, symmetric and positive semi-definite, arrays or of scipy.sparse [kg] [N/m].
         circulatory: N, n x n, skew-symmetric, added to K: what a seal, or damping that turns with a shaft, does [N/m].
+        gyroscopic_per_speed, circulatory_per_speed: n x n, skew-symmetric; omega times them is added to D and K: of a rotor that turns as
+        fast as its load, at each frequency of a sweep [N s^2/m] [N s/m].
         D: n x n, its skew part gyroscopic [N s/m]; or {"alpha": a, "beta": b} for a M + b K [1/s] [s]; or {"modal": z}, damping ratios of the modes by
         rising frequency, one number or a list [-].
         frequency: omega [rad/s], or frequency_hz: omega / (2 pi) [Hz].  load: {dof: amplitude of cos(omega t)} [N], or a list of `Load`.
@@ -68,7 +71,9 @@ class Scene:
         if frequency is None:
             frequency = 2.0 * math.pi * frequency_hz
         file = SceneFile.of(M, D, K, frequency=frequency, load=load, contacts=contacts, law=law, subharmonic=subharmonic,
-                            name=name, title=title, circulatory=circulatory)
+                            name=name, title=title,
+                            skew={"circulatory": circulatory, "gyroscopic_per_speed": gyroscopic_per_speed,
+                                  "circulatory_per_speed": circulatory_per_speed})
         folder = tempfile.mkdtemp(prefix="signorini-")
         scene = cls(str(Path(folder, f"{file.name}.toml")), file)
         weakref.finalize(scene, shutil.rmtree, folder, ignore_errors=True)  # it lives as long as the scene
@@ -77,7 +82,7 @@ class Scene:
         return scene
 
     def save(self, folder: str | Path) -> Path:
-        """Writes NAME.toml, M.mtx, D.mtx and K.mtx into the folder, which is made if need be; returns the path of NAME.toml."""
+        """Writes NAME.toml and its matrices, M.mtx and so on, into the folder, which is made if need be; returns the path of NAME.toml."""
         file = self._file
         if file is None:
             file = SceneFile.of_problem(self.problem)

@@ -17,7 +17,8 @@ Matrix = np.ndarray | Sequence[Sequence[float]] | object  # or a matrix of scipy
 Damping = Mapping[str, float | Sequence[float]]
 Entries = tuple[np.ndarray, np.ndarray, np.ndarray]  # row, column, value
 
-FILES = {"mass": "M.mtx", "damping": "D.mtx", "stiffness": "K.mtx", "circulatory": "N.mtx"}
+FILES = {"mass": "M.mtx", "damping": "D.mtx", "stiffness": "K.mtx", "circulatory": "N.mtx",
+         "gyroscopic_per_speed": "G1.mtx", "circulatory_per_speed": "N1.mtx"}
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,7 @@ class SceneFile:
     name: str
     title: str
     size: int
-    matrices: Mapping[str, Entries]  # "mass", "stiffness", "damping" unless proportional or modal, and "circulatory" if any
+    matrices: Mapping[str, Entries]  # "mass", "stiffness", "damping" unless proportional or modal, and of the others of FILES those that there are
     frequency: float
     subharmonic: int
     loads: Sequence[Load]
@@ -36,16 +37,14 @@ class SceneFile:
     damping: Damping = field(default_factory=dict)  # alpha and beta, or modal
 
     @classmethod
-    def of(cls, M, D, K, *, load, contacts, law, circulatory=None, **rest) -> SceneFile:
-        """Of the arguments of `Scene.from_matrices`. Raises ValueError."""
-        matrices = {"mass": M, "stiffness": K}
-        if circulatory is not None:
-            matrices["circulatory"] = circulatory
+    def of(cls, M, D, K, *, load, contacts, law, skew: Mapping[str, Matrix | None], **rest) -> SceneFile:
+        """Of the arguments of `Scene.from_matrices`, the skew-symmetric ones by their keys in a scene file. Raises ValueError."""
+        matrices = {"mass": M, "stiffness": K, **{key: matrix for key, matrix in skew.items() if matrix is not None}}
         if not isinstance(D, Mapping):
             matrices["damping"] = D
         elif not D or set(D) - {"alpha", "beta"} and set(D) != {"modal"}:
             raise ValueError(f"D = {dict(D)} (must be a matrix, or have the keys alpha and beta, or modal)")
-        shapes = {FILES[key][0]: shape_of(matrix) for key, matrix in matrices.items()}
+        shapes = {Path(FILES[key]).stem: shape_of(matrix) for key, matrix in matrices.items()}
         rows, columns = shapes["M"]
         if rows == 0 or rows != columns or len(set(shapes.values())) > 1:
             told = ", ".join(f"{key} {rows} x {columns}" for key, (rows, columns) in shapes.items())
@@ -61,8 +60,8 @@ class SceneFile:
     def of_problem(cls, problem: Problem) -> SceneFile:
         law = {key: value for key, value in problem.law.items() if key in ("restitution", "penalty")}
         name = re.sub("[^a-z0-9]+", "-", problem.name)  # of a level of a family: grazing@0.1
-        matrices = dict(problem.entries)
-        matrices["stiffness"], skew = parts_of(problem.entries["stiffness"])
+        matrices = {key: entries for key, entries in problem.entries_at(0.0).items() if len(entries[0]) or not key.endswith("per_speed")}
+        matrices["stiffness"], skew = parts_of(matrices["stiffness"])
         if skew is not None:
             matrices["circulatory"] = skew
         return cls(name=name, title=f"{problem.name}, as matrices", size=problem.size, matrices=matrices,

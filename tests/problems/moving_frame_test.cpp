@@ -35,28 +35,38 @@ std::string refusal(Problem problem, const std::vector<StopTerm>& terms) {
   }
 }
 
-TEST(MoveStops, AddsTheLoadOfTheFrameAtEveryFrequency) {
-  const Problem resting = three_masses();
+void expect_load_of_the_frame(const Problem& resting) {
   Problem moving = resting;
   move_stops(moving, {{.contact = 0, .harmonic = 1, .cos = 0.3, .sin = -0.1},
                       {.contact = 0, .harmonic = 3, .sin = 0.02}});
   EXPECT_NO_THROW(validate(moving));
   for (const double frequency : {0.4, resting.frequency, 5.0}) {
-    moving.frequency = frequency;
-    Problem plain = resting;
-    plain.frequency = frequency;
+    moving = at_frequency(moving, frequency);
+    const Problem plain = at_frequency(resting, frequency);
     for (const double time : {0.0, 0.7, 2.9}) {
       const double a = frequency * time;
       const double gamma = 0.3 * std::cos(a) - 0.1 * std::sin(a) + 0.02 * std::sin(3.0 * a);
       const Eigen::VectorXd r = frame_at(moving, time, 0);
       EXPECT_NEAR((contact_directions(moving).transpose() * r)[0], gamma, 1e-14)
           << "the stop is carried along";
-      const Eigen::VectorXd expected = load_at(plain, time) - resting.stiffness() * r -
-                                       resting.damping() * frame_at(moving, time, 1) -
-                                       resting.mass() * frame_at(moving, time, 2);
+      const Eigen::VectorXd expected = load_at(plain, time) - plain.stiffness() * r -
+                                       plain.damping() * frame_at(moving, time, 1) -
+                                       plain.mass() * frame_at(moving, time, 2);
       EXPECT_LE((load_at(moving, time) - expected).norm(), 1e-13 * expected.norm());
     }
   }
+}
+
+TEST(MoveStops, AddsTheLoadOfTheFrameAtEveryFrequency) {
+  Problem resting = three_masses();
+  expect_load_of_the_frame(resting);
+  resting.edit_structure([](Structure& s) {
+    SparseMatrix skew(3, 3);
+    skew.insert(0, 1) = 0.7;
+    skew.insert(1, 0) = -0.7;
+    follow_speed(s, skew, 0.3 * skew);
+  });
+  expect_load_of_the_frame(resting);
 }
 
 TEST(MoveStops, LeavesStopsInPlaceThatShareCoordinatesButRest) {

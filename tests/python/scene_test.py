@@ -152,6 +152,21 @@ class Matrices(support.TemporaryFolder):
         with self.assertRaisesRegex(BadInput, "must be skew-symmetric"):
             Scene.from_matrices(np.eye(2), np.eye(2), np.eye(2), frequency=1.0, circulatory=np.eye(2))
 
+    def test_may_follow_the_frequency(self):
+        J = np.array([[0.0, 1.0], [-1.0, 0.0]])
+        scene = Scene.from_matrices(np.eye(2), np.diag([0.3, 0.3]), np.eye(2), frequency=2.0, gyroscopic_per_speed=0.5 * J,
+                                    circulatory_per_speed=0.25 * J, load=[Load(0, 1.0), Load(1, sin=1.0)], contacts={0: 9.0}, law={"restitution": 1.0})
+        again = Scene.load(scene.save(self.folder / "saved"))
+        for problem in (scene.problem, again.problem):
+            np.testing.assert_array_equal(problem.damping, 0.3 * np.eye(2) + J)
+            np.testing.assert_array_equal(problem.stiffness, np.eye(2) + 0.5 * J)
+            np.testing.assert_array_equal(problem.at(4.0).damping, 0.3 * np.eye(2) + 2.0 * J)
+            np.testing.assert_array_equal(problem.at(4.0).stiffness, np.eye(2) + J)
+        with self.assertRaisesRegex(BadInput, "gyroscopic_per_speed.*must be skew-symmetric"):
+            Scene.from_matrices(np.eye(2), np.eye(2), np.eye(2), frequency=1.0, gyroscopic_per_speed=np.eye(2))
+        with self.assertRaisesRegex(ValueError, "N1 3 x 3"):
+            Scene.from_matrices(np.eye(2), np.eye(2), np.eye(2), frequency=1.0, circulatory_per_speed=np.zeros((3, 3)))
+
     def test_take_stops_with_dampers(self):
         scene = Scene.from_matrices([[1.0]], [[0.1]], [[1.0]], frequency=2.0, load={0: 1.0}, contacts={0: 0.2},
                                     law={"penalty": 100.0, "damping": 4.0})

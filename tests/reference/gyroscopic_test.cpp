@@ -3,14 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/closed_hbm/closed_hbm.hpp"
 #include "methods/curve.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
@@ -63,11 +67,6 @@ Problem shaft_with(const std::string& spin, double frequency) {
   return parse_scene(text, "shaft-gyroscopic.toml");
 }
 
-double amplitude_of(const Trajectory& motion) {
-  const Eigen::VectorXd x = motion.sample(1 << 14).x.col(0);
-  return 0.5 * (x.maxCoeff() - x.minCoeff());
-}
-
 TEST(SynchronousShaft, HasAtEachFrequencyTheMatricesOfThatSpin) {
   const Problem synchronous = shaft_with("\"synchronous\"", 4.0);
   for (const double frequency : {4.0, 2.5, 6.25}) {
@@ -79,25 +78,116 @@ TEST(SynchronousShaft, HasAtEachFrequencyTheMatricesOfThatSpin) {
   }
 }
 
-// A point of the unbalance response is the solve of the shaft with the spin of that frequency.
-TEST(SynchronousShaft, IsFollowedAsItIsSolvedAtEachFrequency) {
-  constexpr double kAt = 4.0;
-  const ParametrisedScene scene = over_frequency(shaft_with("\"synchronous\"", 3.8), 3.8, 4.2);
-  const Problem solved = shaft_with("4.0", kAt);
-  const auto expect_point = [&](const Method& method, double tolerance) {
-    const Solution solution = method.prepare(solved)->solve({});
-    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
-    const BranchDiagram diagram = method.curve()->follow(scene, {.max_order = 1, .at = {kAt}});
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Branch& branch : diagram.branches)
-      for (const SolutionPoint& point : branch.points)
-        if (std::abs(point.parameter - kAt) < 1e-9)
-          nearest = std::min(nearest, std::abs(point.amplitude.front() - amplitude_of(*solution.trajectory)));
-    EXPECT_LT(nearest, tolerance) << diagram.unfinished;
+Eigen::MatrixXd matrix_of(std::initializer_list<std::array<double, 4>> rows) {
+  Eigen::MatrixXd A(std::ssize(rows), 4);
+  Eigen::Index i = 0;
+  for (const auto& row : rows) A.row(i++) = Eigen::Map<const Eigen::RowVector4d>(row.data());
+  return A;
+}
+
+/// An unbalanced disc at the end of its shaft: deflection and rotation in two planes, of which one is softer,
+/// coupled by its gyroscopic moment and by a seal, both of which grow with its speed.
+Problem overhung_rotor(double frequency) {
+  Problem rotor;
+  rotor.edit_structure([](Structure& s) {
+    s.mass = Eigen::Vector4d(2.0, 0.3, 2.0, 0.3).asDiagonal().toDenseMatrix().sparseView();
+    s.damping = Eigen::Vector4d(0.4, 0.02, 0.4, 0.02).asDiagonal().toDenseMatrix().sparseView();
+    s.stiffness = matrix_of({{500.0, -120.0, 0.0, 0.0},
+                             {-120.0, 90.0, 0.0, 0.0},
+                             {0.0, 0.0, 420.0, -120.0},
+                             {0.0, 0.0, -120.0, 80.0}})
+                      .sparseView();
+    SparseMatrix gyroscopic(4, 4), circulatory(4, 4);
+    gyroscopic.insert(1, 3) = 0.4;
+    gyroscopic.insert(3, 1) = -0.4;
+    circulatory.insert(0, 2) = 0.01;
+    circulatory.insert(2, 0) = -0.01;
+    follow_speed(s, gyroscopic, circulatory);
+  });
+  rotor.force = {{.dof = 0, .cos = 0.05, .omega_power = 2}, {.dof = 2, .sin = 0.05, .omega_power = 2}};
+  return at_frequency(rotor, frequency);
+}
+
+/// The same with the matrices of this one speed written out.
+Problem written_out(Problem rotor) {
+  rotor.edit_structure([](Structure& s) { s.speed = nullptr; });
+  return rotor;
+}
+
+/// The stop beside the disc, rigid.
+Problem beside_a_stop(Problem rotor, double gap) {
+  rotor.contacts = {{.normal = {{0, 1.0}}, .gap = gap, .law = Restitution{0.6}}};
+  return rotor;
+}
+
+double first_harmonic(const Trajectory& motion) {
+  constexpr int kSamples = 64;
+  const Eigen::VectorXd x = motion.sample(kSamples).x.col(0);
+  std::complex<double> sum = 0.0;
+  for (int i = 0; i < kSamples; ++i)
+    sum += x[i] * std::polar(2.0 / kSamples, -2.0 * std::numbers::pi * i / kSamples);
+  return std::abs(sum);
+}
+
+// Values of numpy: the speeds are the square roots of eigenvalues of K - w^2 (M - i G_1), of which the least
+// and the largest belong to backward whirl, the other one to forward whirl; the amplitudes are |u_0| of
+// (K + w N_1 + i w (D + w G_1) - w^2 M) u = 0.05 w^2 (1, 0, -i, 0).
+TEST(OverhungRotor, ResonatesInBackwardAndForwardWhirl) {
+  struct Whirl {
+    double speed, amplitude;
   };
-  expect_point(ExactOrbitMethod({}), 1e-7);
-  expect_point(HatLcp({.samples = 64}), 1e-4);
-  expect_point(FourierLipschitz({.harmonics = 10}), 1e-4);
+  const auto amplitude = [](double speed) {
+    const Problem rotor = beside_a_stop(overhung_rotor(speed), 9.0);
+    const Solution solution = test::solve<FourierLipschitz>(rotor, {.common = {.harmonics = 4}});
+    EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    return first_harmonic(*solution.trajectory);
+  };
+  for (const auto& [speed, expected] :
+       {Whirl{7.610787722365427, 0.13567560390859032}, Whirl{12.617012410991848, 1.4740911592053032},
+        Whirl{17.100969743789943, 0.3132240984290141}}) {
+    EXPECT_NEAR(amplitude(speed), expected, 1e-11 * expected) << speed;
+    EXPECT_LT(amplitude(0.99 * speed), expected) << speed;
+    EXPECT_LT(amplitude(1.01 * speed), expected) << speed;
+  }
+}
+
+/// The amplitude of the contact where a method's curve over 0.99 to 1.01 times the frequency passes it.
+double followed_amplitude(const Method& method, const Problem& problem) {
+  const double at = problem.frequency;
+  const BranchDiagram diagram =
+      method.curve()->follow(over_frequency(problem, 0.99 * at, 1.01 * at), {.max_order = 1, .at = {at}});
+  for (const Branch& branch : diagram.branches)
+    for (const SolutionPoint& point : branch.points)
+      if (std::abs(point.parameter - at) < 1e-12 * at) return point.amplitude.front();
+  ADD_FAILURE() << "no point at " << at << ": " << diagram.unfinished;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+// A point of an unbalance response is that of the rotor with the matrices of its speed written out.
+TEST(OverhungRotor, IsFollowedWithTheMatricesOfEachSpeed) {
+  const Problem rotor = beside_a_stop(overhung_rotor(12.0), 0.2);
+  const auto expect_same = [&](const Method& method) {
+    const double expected = followed_amplitude(method, written_out(rotor));
+    EXPECT_NEAR(followed_amplitude(method, rotor), expected, 1e-10 * expected);
+  };
+  expect_same(ExactOrbitMethod({}));
+  expect_same(HatLcp({.samples = 64}));
+  expect_same(AftHbm({.common = {.harmonics = 10}}));
+}
+
+// Of which the first natural step is the solve itself: all of it, at another frequency than that of the file.
+TEST(OverhungRotor, IsSolvedWithTheMatricesOfItsSpeed) {
+  const Problem rotor = beside_a_stop(at_frequency(overhung_rotor(3.0), 12.0), 0.2);
+  const Problem written = written_out(beside_a_stop(overhung_rotor(12.0), 0.2));
+  const auto expect_same = [&](const Method& method) {
+    const Solution found = method.prepare(rotor)->solve({}), expected = method.prepare(written)->solve({});
+    ASSERT_EQ(expected.verdict, Verdict::converged) << expected.message;
+    ASSERT_EQ(found.verdict, Verdict::converged) << found.message;
+    EXPECT_LT(test::relative_distance(*expected.trajectory, *found.trajectory), 1e-10);
+  };
+  expect_same(ExactOrbitMethod({}));
+  expect_same(HatLcp({.samples = 256}));
+  expect_same(AftHbm({.common = {.harmonics = 10}}));
 }
 
 }  // namespace

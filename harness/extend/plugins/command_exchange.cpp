@@ -56,17 +56,22 @@ Json write_problem(const Problem& problem) {
   for (const Contact& contact : problem.contacts)
     contacts.push_back(
         {{"normal", contact.normal}, {"gap", contact.gap}, {"law", contact_law_json(contact.law)}});
-  return {{"name", kUnnamed},
-          {"size", problem.size()},
-          {"mass", write_matrix(problem.mass())},
-          {"damping", write_matrix(problem.damping())},
-          {"stiffness", write_matrix(problem.stiffness())},
-          {"frequency", problem.frequency},
-          {"subharmonic", problem.subharmonic},
-          {"period", problem.period()},
-          {"force", write_force(problem)},
-          {"contacts", std::move(contacts)},
-          {"law", JsonForm<RepresentedLaw>::write(as_represented(problem.law()))}};
+  Json written{{"name", kUnnamed},
+               {"size", problem.size()},
+               {"mass", write_matrix(problem.mass())},
+               {"damping", write_matrix(problem.damping())},
+               {"stiffness", write_matrix(problem.stiffness())},
+               {"frequency", problem.frequency},
+               {"subharmonic", problem.subharmonic},
+               {"period", problem.period()},
+               {"force", write_force(problem)},
+               {"contacts", std::move(contacts)},
+               {"law", JsonForm<RepresentedLaw>::write(as_represented(problem.law()))}};
+  if (const SpeedTerms* speed = problem.structure->speed.get()) {
+    written["gyroscopic_per_speed"] = write_matrix(speed->gyroscopic);
+    written["circulatory_per_speed"] = write_matrix(speed->circulatory);
+  }
+  return written;
 }
 
 [[noreturn]] void refuse(const std::string& what) {
