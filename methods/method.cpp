@@ -53,6 +53,13 @@ RepresentedLaw as_represented(const Law& law) {
   return std::visit([](const auto& held) -> RepresentedLaw { return held; }, law);
 }
 
+RepresentedLaw with_restitution(const Problem& problem, double e) {
+  std::vector<ContactLaw> laws;
+  for (const Contact& contact : problem.contacts)
+    laws.push_back(std::holds_alternative<Restitution>(contact.law) ? Restitution{e} : contact.law);
+  return as_represented(common_law(laws));
+}
+
 bool law_matches(const RepresentedLaw& represented, const Law& scene) {
   return std::visit(SameLaw{}, represented, scene);
 }

@@ -84,6 +84,8 @@ double restitution_of(const ContactLaw& law);
 
 /// The scene's own law as one that is represented.
 RepresentedLaw as_represented(const Law& law);
+/// The scene's own laws, but with this e at all contacts that have a restitution [-].
+RepresentedLaw with_restitution(const Problem& problem, double e);
 /// For methods that know one law only: whether the contacts have one; if not, two that differ are named.
 Support supports_one_law(const Problem& problem);
 /// True if the represented law is the scene's own.

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <variant>
 
 #include "harness/conformance/checks.hpp"
 #include "harness/records/sampled_trajectory.hpp"
@@ -108,7 +110,10 @@ struct LawDefect {
     return problem.contacts.empty() ? "" : "it represents no law, and the scene has contacts";
   }
   std::string operator()(const Restitution& law) const {
-    if (!std::holds_alternative<Restitution>(problem.law()))
+    const auto has_none = [](const Contact& contact) {
+      return !std::holds_alternative<Restitution>(contact.law);
+    };
+    if (problem.contacts.empty() || std::ranges::any_of(problem.contacts, has_none))
       return "it represents a restitution, and the scene has none";
     return law.e >= 0.0 && law.e <= 1.0 ? "" : fmt::format("it represents e = {} (must be in [0, 1])", law.e);
   }

@@ -98,15 +98,12 @@ OrbitCandidate grid_candidate(const Problem& problem, int per_period, int turn, 
   OrbitCandidate candidate{.origin = OrbitCandidate::Origin::grid,
                            .source = fmt::format("coarse grid {}, cover {}", per_period, turn),
                            .order = problem.subharmonic};
-  std::optional<double> restitution;
-  const Law scene_law = problem.law();
-  if (const auto* law = std::get_if<Restitution>(&scene_law)) restitution = law->e;
   const HatSettings settings{.samples = per_period * problem.subharmonic,
                              .solver = ComplementaritySolver::pivoting,
                              .cover_amplitude = turn < 4 ? 0.4 : 0.8,
                              .cover_phase = 0.5 * std::numbers::pi * (turn + 0.3)};
   const Solution solution =
-      hat_contact(problem, settings, restitution)->solve({.guess = {}, .deadline = deadline});
+      hat_contact(problem, settings, scene_restitution(problem))->solve({.guess = {}, .deadline = deadline});
   if (solution.trajectory) {
     polish_answer(problem, *solution.trajectory, deadline, candidate);
   } else {

@@ -15,12 +15,11 @@ AftHbm::AftHbm(const Options& options) : FollowedMethod(options.common, options.
 
 HarmonicMethod AftHbm::preset(const Problem& problem) const {
   const bool homotopy = options_.homotopy.value_or(!common().plain);
-  const auto law =
-      [&problem, law = options_.law, c = common().lipschitz_constant(options_.c, homotopy),
-       penalty = common().penalty(options_.penalty, problem, homotopy)](const ContactReceptance& level) {
-        return law == ContactLaw::penalty ? penalty_law(problem, penalty, level)
-                                          : lipschitz_law(problem, c, level);
-      };
+  const auto law = [&problem, law = options_.law, c = common().lipschitz_constant(options_.c, homotopy),
+                    penalty = common().penalty(options_.penalty, homotopy)](const ContactReceptance& level) {
+    return law == ContactLaw::penalty ? penalty_law(problem, penalty, level)
+                                      : lipschitz_law(problem, c, level);
+  };
   return {.law_at = law,
           .grid_solver = aft_grid_solver(
               {.tolerance = common().tolerance, .max_iterations = common().max_iterations}, homotopy),

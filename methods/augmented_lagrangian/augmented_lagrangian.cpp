@@ -33,13 +33,16 @@ HarmonicMethod AugmentedLagrangian::preset(const Problem& problem) const {
 ProjectedLaw augmented_law(const Problem& problem, const std::optional<Scaled>& penalty,
                            const ContactReceptance& receptance) {
   constexpr double kMultiple = 32.0;  // an update then leaves less than a sixth of an error, up to H = 20
-  const Law scene_law = problem.law();
-  const auto* stop = std::get_if<Penalty>(&scene_law);
-  ProjectedLaw law = penalty_law(problem, penalty, receptance);
-  if (!penalty && stop == nullptr) law.constant = kMultiple * highest_dynamic_stiffness(receptance);
+  const Eigen::VectorXd unasked = kMultiple * highest_dynamic_stiffness(receptance);
+  ProjectedLaw law = penalty_law(problem, {.asked = penalty}, receptance);
   law.multiplier_weight.setOnes();
-  for (Eigen::Index j = 0; stop != nullptr && j < law.constant.size(); ++j)
-    law.multiplier_weight[j] -= law.constant[j] / stop->stiffness[static_cast<std::size_t>(j)];
+  for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
+    const auto* spring = std::get_if<Spring>(&problem.contacts[static_cast<std::size_t>(j)].law);
+    if (spring != nullptr)
+      law.multiplier_weight[j] -= law.constant[j] / spring->stiffness;
+    else if (!penalty)
+      law.constant[j] = unasked[j];
+  }
   return law;
 }
 

@@ -64,6 +64,11 @@ ClosedHbm::ClosedHbm(const Options& options)
   validate_constant(options_.c);
 }
 
+Support ClosedHbm::supports(const Problem& problem) const {
+  if (Support one = supports_one_law(problem); has_impacts(problem) && !one.ok) return one;
+  return ProjectedMethod::supports(problem);
+}
+
 double ClosedHbm::restitution(const Restitution& law) const {
   return options_.restitution == ImpactLaw::scene ? law.e : 1.0;
 }

@@ -58,6 +58,8 @@ class ClosedHbm final : public ProjectedMethod {
   explicit ClosedHbm(const Options& options);  ///< \throws InvalidOption
 
   [[nodiscard]] std::vector<OptionEcho> options() const override { return echo_options(options_); }
+  /// Those of a series, of which impacts have one restitution and no other contact beside them.
+  [[nodiscard]] Support supports(const Problem& problem) const override;
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
 
  private:

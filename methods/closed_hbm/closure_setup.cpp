@@ -74,7 +74,8 @@ std::optional<ContactReceptance> response_to_impacts(const Problem& problem, con
 std::optional<Resolutions> affordable_hat_grids(const Problem& problem, double restitution,
                                                 int max_iterations) {
   if (coarsest_hat_grid(problem) * problem.contact_count() > kMostHatUnknowns) return std::nullopt;
-  return hat_grids(problem, {.max_iterations = max_iterations}, restitution);
+  return hat_grids(problem, {.max_iterations = max_iterations},
+                   NodalRestitution(problem.contacts.size(), restitution));
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "methods/discretisation/block_circulant.hpp"
@@ -17,19 +19,14 @@ namespace signorini {
 
 namespace {
 
-std::complex<double> shift_of(const NodalStops& stops, int n, int samples) {
-  return restitution_shift(stops.restitution, 2.0 * std::numbers::pi * n / samples);
-}
-
 /// 1 / sqrt(|a_cc[0]|) per contact, a_cc[0] = (1/N) sum_n (A_n)_cc the diagonal of A: scaled by it on both
 /// sides, the diagonal is of order one, which tolerances on w and z rely on.
 Eigen::VectorXd unit_of(const ContactReceptance& receptance, const NodalStops& stops, int samples) {
   Eigen::VectorXd lag = stops.compliance;
   for (int n = 0; n <= samples / 2; ++n) {
     const bool single = n == 0 || 2 * n == samples;  // its own mirror image
-    const std::complex<double> shift = shift_of(stops, n, samples);
     const auto& block = receptance.receptance[static_cast<std::size_t>(n)];
-    lag += (single ? 1.0 : 2.0) / samples * (shift * block.diagonal()).real();
+    lag += (single ? 1.0 : 2.0) / samples * stops.shift(n, samples).cwiseProduct(block.diagonal()).real();
   }
   double largest = lag.cwiseAbs().maxCoeff();
   if (!(largest > 0.0)) largest = 1.0;
@@ -138,8 +135,26 @@ Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::Vector
   return lambda;
 }
 
-NodalStops nodal_stops(const Problem& problem, const std::optional<double>& restitution) {
-  return {contact_gaps(problem), stop_compliance(problem), restitution};
+NodalRestitution scene_restitution(const Problem& problem) {
+  NodalRestitution restitution;
+  for (const Contact& contact : problem.contacts) {
+    const auto* law = std::get_if<Restitution>(&contact.law);
+    restitution.push_back(law != nullptr ? std::optional(law->e) : std::nullopt);
+  }
+  return restitution;
+}
+
+Eigen::VectorXcd NodalStops::shift(int n, int samples) const {
+  Eigen::VectorXcd shift(gap.size());
+  for (Eigen::Index c = 0; c < shift.size(); ++c)
+    shift[c] =
+        restitution_shift(restitution[static_cast<std::size_t>(c)], 2.0 * std::numbers::pi * n / samples);
+  return shift;
+}
+
+NodalStops nodal_stops(const Problem& problem, NodalRestitution restitution) {
+  restitution.resize(problem.contacts.size());
+  return {contact_gaps(problem), stop_compliance(problem), std::move(restitution)};
 }
 
 Eigen::VectorXd HatForm::pressure(const Eigen::VectorXd& z) const {
@@ -157,11 +172,12 @@ HatForm hat_form(const ContactReceptance& receptance, const NodalStops& stops, i
   symbol.reserve(receptance.receptance.size());
   Eigen::MatrixXcd free(receptance.free_response.rows(), receptance.contacts());
   for (int n = 0; n <= receptance.harmonics(); ++n) {
-    const std::complex<double> shift = shift_of(stops, n, samples);
+    const Eigen::VectorXcd shift = stops.shift(n, samples);
     symbol.emplace_back(
-        shift * (unit.asDiagonal() * receptance.receptance[static_cast<std::size_t>(n)] * unit.asDiagonal()));
+        shift.asDiagonal() *
+        (unit.asDiagonal() * receptance.receptance[static_cast<std::size_t>(n)] * unit.asDiagonal()));
     symbol.back().diagonal() += (stops.compliance.array() * unit.array().square()).matrix();
-    free.row(n) = shift * receptance.free_response.row(n);
+    free.row(n) = receptance.free_response.row(n) * shift.asDiagonal();
   }
   Lcp lcp = periodic_lcp(BlockCirculant(samples, symbol), -free_penetration(free, stops.gap, unit, samples));
   lcp = with_rigid_motions(lcp, receptance, unit);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
@@ -61,15 +62,25 @@ Eigen::MatrixXcd force_coefficients(const ProjectedLaw& law, const Eigen::Vector
 Eigen::MatrixXcd carried_coefficients(const ProjectedEquations& equations, const Lcp& lcp,
                                       const Eigen::VectorXd& z);
 
+/// e in [0, 1] of the contacts at which a form on nodes imposes an impact law, Nc, empty at the others; no
+/// entries: it imposes none at all [-].
+using NodalRestitution = std::vector<std::optional<double>>;
+
+/// That of the scene's laws: of a contact with a restitution its own.
+NodalRestitution scene_restitution(const Problem& problem);
+
 /// The stops of a scene as a grid of nodes sees them.
 struct NodalStops {
-  Eigen::VectorXd gap;                ///< g, Nc [m]
-  Eigen::VectorXd compliance;         ///< 1 / k_p of a spring stop, 0 of a rigid one, Nc [m/N]
-  std::optional<double> restitution;  ///< e in [0, 1] where the form imposes it [-]
+  Eigen::VectorXd gap;           ///< g, Nc [m]
+  Eigen::VectorXd compliance;    ///< 1 / k_p of a spring stop, 0 of a rigid one, Nc [m/N]
+  NodalRestitution restitution;  ///< Nc
+
+  /// s_n of each contact on N nodes (restitution_shift), Nc [-].
+  [[nodiscard]] Eigen::VectorXcd shift(int n, int samples) const;
 };
 
-/// Gaps and compliances of the scene, with the restitution that is to be imposed, if any.
-NodalStops nodal_stops(const Problem& problem, const std::optional<double>& restitution);
+/// Gaps and compliances of the scene, with the restitutions that are to be imposed.
+NodalStops nodal_stops(const Problem& problem, NodalRestitution restitution);
 
 /// A complementarity problem and the unit of its z.
 struct HatForm {
@@ -87,8 +98,9 @@ struct HatForm {
 ///     w_k = g - (x_{k+1} + e x_{k-1}) / (1 + e) - compliance lambda_k,
 ///
 /// the periodic form of the Paoli-Schatzman scheme [paoli2002], or w_k = g - x_k - compliance lambda_k
-/// without restitution. With s_n = restitution_shift, A_n = s_n C_n + compliance and q = g - S x_f, S the
-/// operator of symbol s_n; rows and columns are scaled by the unit of their contact.
+/// of contacts without restitution. With s_n = restitution_shift, one for each contact, A_n = s_n C_n +
+/// compliance and q = g - S x_f, S the operator of symbol s_n; rows and columns are scaled by the unit of
+/// their contact.
 ///
 /// \param receptance  C_n and free response for n = 0..N/2 under the scheme of the grid
 /// \param samples     N

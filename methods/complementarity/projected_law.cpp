@@ -20,10 +20,15 @@ constexpr double kPenaltyMultiple = 8.0;
 // The dynamic stiffness of a contact with mass grows as H^2, that of a massless one stays. On
 // bar20-massless the error of x is least at 8, 100 and 500 times it for H = 10, 40 and 160, and hardly grows
 // beyond.
-double penalty_multiple(const Problem& problem, int harmonics) {
+double penalty_multiple(const ContactLaw& law, int harmonics) {
   constexpr double kBase = 10.0;
-  if (!std::holds_alternative<Massless>(problem.law())) return kPenaltyMultiple;
+  if (!std::holds_alternative<Massless>(law)) return kPenaltyMultiple;
   return kPenaltyMultiple * std::max(1.0, std::pow(harmonics / kBase, 1.5));
+}
+
+/// The spring that a stop is; null of others.
+const Spring* spring_of(const Problem& problem, Eigen::Index contact) {
+  return std::get_if<Spring>(&problem.contacts[static_cast<std::size_t>(contact)].law);
 }
 
 /// Row n of the result is blocks[n] times row n of the packed spectrum.
@@ -64,41 +69,46 @@ ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& 
   law.constant = c ? Eigen::VectorXd(*c * contact_stiffness_scale(problem))
                    : Eigen::VectorXd(kConstantMultiple * highest_dynamic_stiffness(receptance));
   law.multiplier_weight = Eigen::VectorXd::Ones(law.constant.size());
-  if (const Law scene_law = problem.law(); const auto* stop = std::get_if<Penalty>(&scene_law)) {
-    const Eigen::Map<const Eigen::VectorXd> spring(stop->stiffness.data(), law.constant.size());
+  for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
+    const auto* spring = spring_of(problem, j);
+    if (spring == nullptr) continue;
+    double& constant = law.constant[j];
     // A larger constant than the spring's stiffness would have y made of the truncated part of lambda.
-    if (!c) law.constant = law.constant.cwiseProduct(spring).cwiseQuotient(law.constant + spring).eval();
-    law.multiplier_weight -= law.constant.cwiseQuotient(spring);
+    if (!c) constant = constant * spring->stiffness / (constant + spring->stiffness);
+    law.multiplier_weight[j] -= constant / spring->stiffness;
   }
   return law;
 }
 
-ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& penalty,
+ProjectedLaw penalty_law(const Problem& problem, const StopPenalty& penalty,
                          const ContactReceptance& receptance) {
-  ProjectedLaw law;
-  const Law scene_law = problem.law();
-  const auto* stop = std::get_if<Penalty>(&scene_law);
-  if (penalty) {
-    law.constant = contact_stiffness_scale(problem);
-    for (double& stiffness : law.constant) stiffness = penalty->in_units_of(stiffness);
-  } else if (stop != nullptr) {
-    law.constant = Eigen::Map<const Eigen::VectorXd>(stop->stiffness.data(), problem.contact_count());
-  } else {
-    law.constant = penalty_multiple(problem, receptance.harmonics()) * highest_dynamic_stiffness(receptance);
+  const Eigen::VectorXd scale = contact_stiffness_scale(problem);
+  ProjectedLaw law{.constant = highest_dynamic_stiffness(receptance),
+                   .multiplier_weight = Eigen::VectorXd::Zero(problem.contact_count())};
+  for (Eigen::Index j = 0; j < scale.size(); ++j) {
+    const auto* spring = spring_of(problem, j);
+    if (penalty.asked)
+      law.constant[j] = penalty.asked->in_units_of(scale[j]);
+    else if (spring != nullptr)
+      law.constant[j] = spring->stiffness;
+    else if (penalty.rigid)
+      law.constant[j] = penalty.rigid->in_units_of(scale[j]);
+    else
+      law.constant[j] *=
+          penalty_multiple(problem.contacts[static_cast<std::size_t>(j)].law, receptance.harmonics());
   }
-  law.multiplier_weight = Eigen::VectorXd::Zero(problem.contact_count());
   return law;
 }
 
 RepresentedLaw projected_method_law(const Problem& problem, const std::optional<Scaled>& penalty) {
-  if (std::holds_alternative<Restitution>(problem.law())) return Restitution{1.0};
-  if (penalty && std::holds_alternative<Penalty>(problem.law())) {
-    Penalty asked;
-    for (const double scale : contact_stiffness_scale(problem))
-      asked.stiffness.push_back(penalty->in_units_of(scale));
-    return asked;
+  if (!penalty || !has_springs(problem)) return with_restitution(problem, 1.0);
+  const Eigen::VectorXd scale = contact_stiffness_scale(problem);
+  Problem asked = problem;
+  for (Eigen::Index j = 0; j < scale.size(); ++j) {
+    ContactLaw& law = asked.contacts[static_cast<std::size_t>(j)].law;
+    if (std::holds_alternative<Spring>(law)) law = Spring{penalty->in_units_of(scale[j])};
   }
-  return as_represented(problem.law());
+  return with_restitution(asked, 1.0);
 }
 
 ContactSymbol::ContactSymbol(const ContactReceptance& receptance, const ProjectedLaw& law)

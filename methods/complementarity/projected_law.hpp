@@ -48,21 +48,27 @@ ProjectedLaw on_springs(const ProjectedLaw& law, double r);
 /// 1 / |C_n| over H/2 <= n <= H, Nc [N/m]. For one mass about m (3 H w / 4)^2.
 Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);
 
-/// Signorini's condition, or the scene's spring stop behind it, with the constant c asked for (times
+/// Signorini's condition, or a spring stop of the scene behind it, with the constant c asked for (times
 /// contact_stiffness_scale), else 4 times the highest dynamic stiffness kept, in series with the spring's:
 /// 0 < alpha <= 1 then, and for a soft spring c is nearly its stiffness and alpha nearly 0.
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance);
 
-/// The penalty law: the stiffness asked for; else the scene's; else, for a rigid stop, 8 times the highest
-/// dynamic stiffness kept, on massless contacts growing as H^1.5 beyond ten harmonics, where penalty error
-/// and truncation error are of one size.
-ProjectedLaw penalty_law(const Problem& problem, const std::optional<Scaled>& penalty,
+/// Stiffnesses that take the place of stops in the penalty law.
+struct StopPenalty {
+  std::optional<Scaled> asked = {};  ///< of all stops, springs too
+  std::optional<Scaled> rigid = {};  ///< else of those that are no springs
+};
+
+/// The penalty law: of each contact the stiffness asked for; else the scene's; else, for a rigid stop, 8
+/// times the highest dynamic stiffness kept, on massless contacts growing as H^1.5 beyond ten harmonics,
+/// where penalty error and truncation error are of one size.
+ProjectedLaw penalty_law(const Problem& problem, const StopPenalty& penalty,
                          const ContactReceptance& receptance);
 
-/// The law that every projected method represents: the scene's if it is conservative, restitution 1
-/// where the scene is rigid, for the projected force does no net work (docs/theory.md). On a scene whose
-/// stop is a spring, a penalty asked for replaces the spring's stiffness.
+/// The law that every projected method represents: of each contact the scene's if it is conservative,
+/// restitution 1 where it is rigid, for the projected force of no contact does net work (docs/theory.md). A
+/// penalty asked for replaces the stiffness of stops that are springs.
 RepresentedLaw projected_method_law(const Problem& problem, const std::optional<Scaled>& penalty = {});
 
 /// B_n = sqrt(c) C_n sqrt(c) - alpha, n = 0..H: how y = c (x - g) - alpha lambda answers to lambda, both per

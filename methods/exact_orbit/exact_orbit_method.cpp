@@ -175,10 +175,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       settings.cover_amplitude = kWave;
       settings.cover_phase = 2.0 * std::numbers::pi * cover / (options_.restarts + 1);
     }
-    std::optional<double> restitution;
-    const Law scene_law = problem_.law();
-    if (const auto* law = std::get_if<Restitution>(&scene_law)) restitution = law->e;
-    return hat_contact(problem_, settings, restitution);
+    return hat_contact(problem_, settings, scene_restitution(problem_));
   }
 
   // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <variant>
 
 #include "problems/linear_algebra/products.hpp"
 
@@ -72,14 +73,15 @@ Eigen::MatrixXd membership(const DistinctStops& stops) {
 }  // namespace
 
 std::optional<DistinctStops> distinct_stops(const Problem& problem) {
-  if (has_springs(problem)) return std::nullopt;
   DistinctStops stops{.problem = problem};
   stops.problem.contacts.clear();
   std::map<StopKey, int> known;
   for (const Contact& contact : problem.contacts) {
-    const auto [stop, fresh] = known.try_emplace(key_of(contact), stops.problem.contact_count());
-    if (fresh) stops.problem.contacts.push_back(contact);
-    stops.places.push_back(stop->second);
+    const int next = stops.problem.contact_count();
+    const bool spring = std::holds_alternative<Spring>(contact.law);
+    const int place = spring ? next : known.try_emplace(key_of(contact), next).first->second;
+    if (place == next) stops.problem.contacts.push_back(contact);
+    stops.places.push_back(place);
   }
   if (stops.problem.contact_count() == problem.contact_count()) return std::nullopt;
   return stops;

@@ -15,8 +15,9 @@ struct DistinctStops {
   std::vector<int> places = {};  ///< for each contact of the scene, its stop among these
 };
 
-/// The distinct stops of a scene; nothing where no stop stands twice, or where stops are compliant: two equal
-/// springs are twice as stiff as one. Stops are the same where normal and gap are equal, entry by entry.
+/// The distinct stops of a scene; nothing where no rigid stop stands twice. Each spring stands for itself:
+/// two equal ones are twice as stiff as one. Stops are the same where normal and gap are equal, entry by
+/// entry.
 std::optional<DistinctStops> distinct_stops(const Problem& problem);
 
 /// A motion with one contact for each distinct stop as a motion of the whole scene. All contacts of a stop

@@ -27,12 +27,10 @@ std::optional<double> HarmonicOptions::lipschitz_constant(const std::optional<do
   return plain ? asked.value_or(by_pivots ? kConstantOfPivots : kConstantOfNewton) : asked;
 }
 
-std::optional<Scaled> HarmonicOptions::penalty(const std::optional<Scaled>& asked, const Problem& problem,
-                                               bool by_pivots) const {
-  // The stop of a spring has the scene's own stiffness.
-  const bool regularised = !std::holds_alternative<Penalty>(problem.law());
-  const Scaled of_plain_forms{by_pivots ? kConstantOfPivots : kPenaltyOfNewton, true};
-  return plain && regularised ? asked.value_or(of_plain_forms) : asked;
+StopPenalty HarmonicOptions::penalty(const std::optional<Scaled>& asked, bool by_pivots) const {
+  StopPenalty penalty{.asked = asked};
+  if (plain) penalty.rigid = Scaled{by_pivots ? kConstantOfPivots : kPenaltyOfNewton, true};
+  return penalty;
 }
 
 int HarmonicOptions::first_harmonics(const Problem& problem) const {

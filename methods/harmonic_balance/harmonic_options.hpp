@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "methods/complementarity/projected_law.hpp"
 #include "methods/method.hpp"
 #include "methods/options.hpp"
 
@@ -100,9 +101,8 @@ struct HarmonicOptions {
   ///        harder the law, the better the answer
   [[nodiscard]] std::optional<double> lipschitz_constant(const std::optional<double>& asked,
                                                          bool by_pivots) const;
-  /// The penalty: the one asked for; else, for a rigid stop, that of plain forms if `plain`; else empty.
-  [[nodiscard]] std::optional<Scaled> penalty(const std::optional<Scaled>& asked, const Problem& problem,
-                                              bool by_pivots) const;
+  /// The penalty: the one asked for and, for rigid stops, that of plain forms if `plain`.
+  [[nodiscard]] StopPenalty penalty(const std::optional<Scaled>& asked, bool by_pivots) const;
   /// H to begin with: the one asked for; else 20, doubled until the load's harmonics are kept, at most 640.
   [[nodiscard]] int first_harmonics(const Problem& problem) const;
   /// Whether nothing that depends on the grid or on the number of steps is fixed by the user.

@@ -14,7 +14,6 @@ ProjectedMethod::ProjectedMethod(const HarmonicOptions& common, const std::optio
 }
 
 Support ProjectedMethod::supports(const Problem& problem) const {
-  if (Support one = supports_one_law(problem); !one.ok) return one;
   return supports_harmonics(problem, common_);
 }
 

@@ -21,9 +21,9 @@ class ProjectedMethod : public Method {
   static constexpr std::string_view kLadder = "harmonics=10|40|160";             ///< of a benchmark
 
   /// Scenes whose load its harmonics and samples carry.
-  [[nodiscard]] Support supports(const Problem& problem) const final;
-  /// The scene's own if it is conservative, restitution 1 on a rigid stop; a penalty asked for replaces a
-  /// spring's stiffness.
+  [[nodiscard]] Support supports(const Problem& problem) const override;
+  /// Of each contact the scene's own if it is conservative, restitution 1 on a rigid stop; a penalty asked
+  /// for replaces a spring's stiffness.
   [[nodiscard]] RepresentedLaw law(const Problem& problem) const override;
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& problem) const final;
 

@@ -44,12 +44,12 @@ constexpr int kLongPathUnknowns = 1024;
 
 class PreparedHat final : public PreparedMethod {
  public:
-  PreparedHat(const Problem& problem, const HatSettings& options, std::optional<double> restitution)
+  PreparedHat(const Problem& problem, const HatSettings& options, NodalRestitution restitution)
       : problem_(problem),
         options_(options),
         found_(reduced_grid_receptance(problem, options.scheme, options.samples)),
         receptance_(found_.value),
-        stops_(nodal_stops(problem, restitution)),
+        stops_(nodal_stops(problem, std::move(restitution))),
         marched_(reduction_to_march()) {}
 
   Solution solve(const Start& start) override {
@@ -146,8 +146,8 @@ class PreparedHat final : public PreparedMethod {
 
   /// Attempt 3; not solved where no periodic contact is found or Newton's method fails from it.
   [[nodiscard]] LcpResult march(const HatForm& form, const Start& start) const {
-    const Eigen::VectorXd pressure = march_to_period(
-        problem_, options_.scheme, samples(), stops_.restitution.value_or(0.0), kMarchedPeriods, start);
+    const Eigen::VectorXd pressure =
+        march_to_period(problem_, options_.scheme, samples(), stops_, kMarchedPeriods, start);
     if (pressure.size() == 0) return {};
     return newton_from(form, form.scaled(pressure), start);
   }
@@ -205,10 +205,10 @@ std::shared_ptr<const ContactReduction> reduction_for(const Problem& problem, co
 
 /// One grid, marched where there is a reduction.
 std::unique_ptr<PreparedMethod> prepared_grid(const Problem& problem, const HatSettings& settings,
-                                              std::optional<double> restitution,
+                                              NodalRestitution restitution,
                                               std::shared_ptr<const ContactReduction> reduction) {
   if (reduction) return marched_contact(problem, settings.samples, settings.tolerance, std::move(reduction));
-  return std::make_unique<PreparedHat>(problem, settings, restitution);
+  return std::make_unique<PreparedHat>(problem, settings, std::move(restitution));
 }
 
 }  // namespace
@@ -233,8 +233,8 @@ std::shared_ptr<const Trajectory> nodal_motion(const ContactReceptance& receptan
 }
 
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
-                                            std::optional<double> restitution) {
-  return prepared_grid(problem, settings, restitution, reduction_for(problem, settings));
+                                            NodalRestitution restitution) {
+  return prepared_grid(problem, settings, std::move(restitution), reduction_for(problem, settings));
 }
 
 Support grid_support(const Problem& problem, int samples) {
@@ -252,11 +252,11 @@ int coarsest_hat_grid(const Problem& problem) {
   return std::clamp(static_cast<int>(std::bit_ceil(needed)), 256, kFinestHatGrid);
 }
 
-Resolutions hat_grids(const Problem& problem, const HatSettings& settings,
-                      std::optional<double> restitution) {
+Resolutions hat_grids(const Problem& problem, const HatSettings& settings, NodalRestitution restitution) {
   constexpr int kFactor = 4;
   return {rising_resolutions(coarsest_hat_grid(problem), kFactor, kFinestHatGrid),
-          [&problem, settings, restitution, reduction = reduction_for(problem, settings)](int samples) {
+          [&problem, settings, restitution = std::move(restitution),
+           reduction = reduction_for(problem, settings)](int samples) {
             HatSettings grid = settings;
             grid.samples = samples;
             return prepared_grid(problem, grid, restitution, reduction);
@@ -264,8 +264,8 @@ Resolutions hat_grids(const Problem& problem, const HatSettings& settings,
 }
 
 std::unique_ptr<PreparedMethod> refined_hat_contact(const Problem& problem, const HatSettings& settings,
-                                                    std::optional<double> restitution) {
-  return refined_until_agreed(hat_grids(problem, settings, restitution),
+                                                    NodalRestitution restitution) {
+  return refined_until_agreed(hat_grids(problem, settings, std::move(restitution)),
                               {.worth_refining = cheap_on_the_next_grid, .least = size_at_rest(problem)});
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "methods/complementarity/forms.hpp"
 #include "methods/discretisation/symbols.hpp"
 #include "methods/method.hpp"
 #include "methods/refinement.hpp"
@@ -26,9 +27,9 @@ struct HatSettings {
   double cover_phase = 0.0;      ///< [rad]
 };
 
-/// The scene on N nodes as one linear complementarity problem, ready to be solved. Without `restitution` the
-/// condition holds on the nodal gaps; with it on g - (x_{k+1} + e x_{k-1}) / (1 + e), the periodic form of
-/// the Paoli-Schatzman scheme [paoli2002]. A spring stop adds its compliance.
+/// The scene on N nodes as one linear complementarity problem, ready to be solved. At a contact without
+/// `restitution` the condition holds on the nodal gaps; with it on g - (x_{k+1} + e x_{k-1}) / (1 + e), the
+/// periodic form of the Paoli-Schatzman scheme [paoli2002]. A spring stop adds its compliance.
 ///
 /// A solve takes the solver asked for; with `automatic` the first of these attempts that succeeds:
 ///
@@ -50,7 +51,7 @@ struct HatSettings {
 /// grids. `problem` must outlive the result.
 /// \throws std::runtime_error if the structure cannot be factorised
 std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSettings& settings,
-                                            std::optional<double> restitution);
+                                            NodalRestitution restitution);
 
 /// C_n and the free response under a scheme on N nodes, n = 0..N/2: what `hat_form` takes.
 /// \throws std::runtime_error if the structure cannot be factorised
@@ -80,7 +81,7 @@ int coarsest_hat_grid(const Problem& problem);
 /// The scene on the coarsest grid and on four times as many nodes, up to the finest.
 /// \param settings  of all grids but for the nodes
 /// \param restitution  as of hat_contact; `problem` must outlive the grids
-Resolutions hat_grids(const Problem& problem, const HatSettings& settings, std::optional<double> restitution);
+Resolutions hat_grids(const Problem& problem, const HatSettings& settings, NodalRestitution restitution);
 
 /// The scene on those grids, one after another, until two agree within 5 % (`refined_until_agreed`). A grid
 /// dissipates or feeds the motion at impacts, at a rate that falls with N, so that an answer on one grid
@@ -88,6 +89,6 @@ Resolutions hat_grids(const Problem& problem, const HatSettings& settings, std::
 /// rest; a grid that would take more than about a second is not asked. \throws std::runtime_error if the
 /// structure cannot be factorised
 std::unique_ptr<PreparedMethod> refined_hat_contact(const Problem& problem, const HatSettings& settings,
-                                                    std::optional<double> restitution);
+                                                    NodalRestitution restitution);
 
 }  // namespace signorini

@@ -12,12 +12,14 @@ namespace {
 
 class Recurrence {
  public:
-  Recurrence(const Problem& problem, HatScheme scheme, int samples, double restitution)
+  Recurrence(const Problem& problem, HatScheme scheme, int samples, const NodalStops& stops)
       : samples_(samples),
         contacts_(problem.contact_count()),
-        restitution_(restitution),
         directions_(contact_directions(problem)),
-        gap_(contact_gaps(problem)) {
+        gap_(stops.gap),
+        restitution_(stops.gap.size()) {
+    for (int c = 0; c < contacts_; ++c)
+      restitution_[c] = stops.restitution[static_cast<std::size_t>(c)].value_or(0.0);
     const double step = problem.period() / samples_;
     const bool consistent = scheme == HatScheme::galerkin;
     const double outer = consistent ? 1.0 / 6.0 : 0.0;
@@ -31,6 +33,7 @@ class Recurrence {
     factors_ = SparseLu(ahead);
     if (!usable()) return;
     compliance_ = sparse_product_of_transposed(directions_, factors_.solve(Eigen::MatrixXd(directions_)));
+    compliance_.diagonal() += stops.compliance;
     load_.resize(problem.size(), samples_);
     for (int k = 0; k < samples_; ++k) {
       // Hat functions weight each load by the mean over its two elements; nodal schemes take it as it is.
@@ -56,8 +59,9 @@ class Recurrence {
       // per step.
       Eigen::VectorXd next = factors_.solve(
           Eigen::VectorXd(load_.col(k) - sparse_image(here_, now_) - sparse_image(behind_, before_)));
-      const Eigen::VectorXd room = (1.0 + restitution_) * gap_ -
-                                   sparse_image_by_transposed(directions_, next + restitution_ * before_);
+      const Eigen::VectorXd ahead = sparse_image_by_transposed(directions_, next),
+                            behind = sparse_image_by_transposed(directions_, before_);
+      const Eigen::VectorXd room = gap_ - ahead + restitution_.cwiseProduct(gap_ - behind);
       const Eigen::VectorXd push = contact_pressure(room);
       if (push.size() == 0) return false;
       if (push.maxCoeff() > 0.0) next -= factors_.solve(sparse_image(directions_, push));
@@ -80,22 +84,21 @@ class Recurrence {
 
   int samples_;
   int contacts_;
-  double restitution_;
   double scale_ = 1.0;
   SparseMatrix directions_, here_, behind_;
   SparseLu factors_;  // of what is ahead
   Eigen::MatrixXd compliance_;
   Lcp instant_;  // the contacts at one instant, in units of scale_
   Eigen::MatrixXd load_;
-  Eigen::VectorXd gap_, before_, now_;
+  Eigen::VectorXd gap_, restitution_, before_, now_;
 };
 
 }  // namespace
 
-Eigen::VectorXd march_to_period(const Problem& problem, HatScheme scheme, int samples, double restitution,
-                                int periods, const Start& start) {
+Eigen::VectorXd march_to_period(const Problem& problem, HatScheme scheme, int samples,
+                                const NodalStops& stops, int periods, const Start& start) {
   if (problem.size() > kMostInTime) return {};
-  Recurrence recurrence(problem, scheme, samples, restitution);
+  Recurrence recurrence(problem, scheme, samples, stops);
   if (!recurrence.usable()) return {};
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(samples * problem.contact_count());
   Eigen::VectorXd previous;

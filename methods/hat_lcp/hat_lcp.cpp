@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "methods/hat_functions/continuation/hat_diagram.hpp"
 
@@ -32,26 +34,32 @@ int HatLcp::first_samples(const Problem& problem) const {
 Support HatLcp::supports(const Problem& problem) const {
   if (options_.scheme == Scheme::bdf2 && has_impacts(problem))
     return {false, "scheme = bdf2 represents no impact law: massless contacts and spring stops only"};
-  if (Support one = supports_one_law(problem); !one.ok) return one;
+  const bool open = has_impacts(problem) && !imposes_restitution() && options_.scheme != Scheme::backward;
+  const auto has_another_law = [](const Contact& contact) {
+    return !std::holds_alternative<Restitution>(contact.law);
+  };
+  if (open && std::ranges::any_of(problem.contacts, has_another_law))
+    return {false,
+            "restitution = none leaves the law of rigid contacts open, but others have one of their own"};
   return grid_support(problem, first_samples(problem));
 }
 
 RepresentedLaw HatLcp::law(const Problem& problem) const {
-  if (!std::holds_alternative<Restitution>(problem.law())) return as_represented(problem.law());
-  if (options_.scheme == Scheme::backward) return Restitution{0.0};
-  if (impact_law() == ImpactLaw::none) return Undetermined{};
-  return std::get<Restitution>(problem.law());
+  if (options_.scheme == Scheme::backward) return with_restitution(problem, 0.0);
+  if (has_impacts(problem) && impact_law() == ImpactLaw::none) return Undetermined{};
+  return as_represented(problem.law());
 }
 
-std::optional<double> HatLcp::imposed_restitution(const Problem& problem) const {
-  const Law scene_law = problem.law();
-  const auto* law = std::get_if<Restitution>(&scene_law);
-  const bool imposed = impact_law() == ImpactLaw::scene && options_.scheme != Scheme::backward;
-  return law != nullptr && imposed ? std::optional(law->e) : std::nullopt;
+bool HatLcp::imposes_restitution() const {
+  return impact_law() == ImpactLaw::scene && options_.scheme != Scheme::backward;
+}
+
+NodalRestitution HatLcp::imposed_restitution(const Problem& problem) const {
+  return imposes_restitution() ? scene_restitution(problem) : NodalRestitution{};
 }
 
 std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
-  const std::optional<double> restitution = imposed_restitution(problem);
+  NodalRestitution restitution = imposed_restitution(problem);
   const bool one_path = options_.plain && options_.solver == ComplementaritySolver::automatic;
   const HatSettings settings{.samples = first_samples(problem),
                              .scheme = options_.scheme,
@@ -60,8 +68,8 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
                              .max_iterations = options_.max_iterations};
   const bool refines = problem.contact_count() > 0 && !options_.samples && !options_.plain &&
                        options_.max_iterations == 0 && options_.solver == ComplementaritySolver::automatic;
-  if (!refines) return hat_contact(problem, settings, restitution);
-  return refined_hat_contact(problem, settings, restitution);
+  if (!refines) return hat_contact(problem, settings, std::move(restitution));
+  return refined_hat_contact(problem, settings, std::move(restitution));
 }
 
 BranchDiagram HatLcp::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {

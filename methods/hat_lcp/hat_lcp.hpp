@@ -92,8 +92,10 @@ class HatLcp final : public Method, public CurveMethod {
  private:
   /// The impact law asked for.
   [[nodiscard]] ImpactLaw impact_law() const;
-  /// The restitution that the form imposes on a scene, if any.
-  [[nodiscard]] std::optional<double> imposed_restitution(const Problem& problem) const;
+  /// Whether the form imposes the restitutions of a scene.
+  [[nodiscard]] bool imposes_restitution() const;
+  /// Those, if so.
+  [[nodiscard]] NodalRestitution imposed_restitution(const Problem& problem) const;
   /// Nodes of the first grid; left to the method, sixteen per oscillation of the load, from 256 to 4096.
   [[nodiscard]] int first_samples(const Problem& problem) const;
 

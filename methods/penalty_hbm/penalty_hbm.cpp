@@ -11,7 +11,7 @@ PenaltyHbm::PenaltyHbm(const Options& options)
 
 HarmonicMethod PenaltyHbm::preset(const Problem& problem) const {
   const bool by_pivots = options_.solver == ComplementaritySolver::pivoting;
-  const auto law = [&problem, penalty = common().penalty(options_.penalty, problem, by_pivots)](
+  const auto law = [&problem, penalty = common().penalty(options_.penalty, by_pivots)](
                        const ContactReceptance& level) { return penalty_law(problem, penalty, level); };
   return by_complementarity(law, common(), options_.solver);
 }

@@ -4,11 +4,17 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "methods/aft_hbm/aft_hbm.hpp"
+#include "methods/augmented_lagrangian/augmented_lagrangian.hpp"
+#include "methods/closed_hbm/closed_hbm.hpp"
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -215,15 +221,120 @@ TEST(MixedLaws, OfTheCatalogueMoveAsAnIndependentFlowDoes) {
   }
 }
 
-TEST(MixedLaws, AreRefusedByMethodsOfOneLaw) {
+/// Hat functions on one grid and series of one number of harmonics.
+std::vector<std::unique_ptr<Method>> methods_of_forms() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<HatLcp>(HatLcp::Options{.samples = 256}));
+  methods.push_back(
+      std::make_unique<FourierLipschitz>(FourierLipschitz::Options{.common = {.harmonics = 20}}));
+  methods.push_back(std::make_unique<AftHbm>(AftHbm::Options{.common = {.harmonics = 20}}));
+  methods.push_back(std::make_unique<AugmentedLagrangian>(AugmentedLagrangian::Options{.harmonics = 20}));
+  methods.push_back(std::make_unique<PenaltyHbm>(PenaltyHbm::Options{.common = {.harmonics = 20}}));
+  return methods;
+}
+
+Samples samples_of(const Method& method, const Problem& problem) {
+  EXPECT_EQ(method.supports(problem).reason, "");
+  const Solution solution = method.prepare(problem)->solve({});
+  EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  return solution.trajectory->sample(256);
+}
+
+// 2 x - y = 5 + l and 2 y - x = 3 - 4 (y - 0.2) at x = 0.5.
+TEST(MixedLaws, UnderAConstantLoadHaveItsStaticForces) {
+  Problem problem;
+  problem.edit_structure([](Structure& s) {
+    s.mass = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
+    s.damping = Eigen::MatrixXd(0.3 * Eigen::Matrix2d::Identity()).sparseView();
+    s.stiffness = (Eigen::MatrixXd(2, 2) << 2.0, -1.0, -1.0, 2.0).finished().sparseView();
+  });
+  problem.force = {{.dof = 0, .harmonic = 0, .cos = 5.0}, {.dof = 1, .harmonic = 0, .cos = 3.0}};
+  problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.5, .law = Restitution{0.6}},
+                      {.normal = {{1, 1.0}}, .gap = 0.2, .law = Spring{4.0}}};
+  const double y = 4.3 / 6.0;
+  const Eigen::RowVector2d x(0.5, y), force(1.0 - y - 5.0, -4.0 * (y - 0.2));
+  std::vector<std::unique_ptr<Method>> methods = methods_of_forms();
+  methods.pop_back();  // whose rigid stop is a spring
+  for (const auto& method : methods) {
+    const Samples found = samples_of(*method, problem);
+    EXPECT_LT((found.x.rowwise() - x).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((found.force.rowwise() - force).cwiseAbs().maxCoeff(), 1e-8);
+  }
+}
+
+/// Oscillators that nothing couples, each with one stop of its law.
+Problem uncoupled(const std::vector<ContactLaw>& laws) {
+  const auto size = static_cast<int>(laws.size());
+  Problem problem;
+  problem.frequency = 0.9;
+  problem.edit_structure([size](Structure& s) {
+    s.mass = SparseMatrix(size, size);
+    s.mass.setIdentity();
+    s.damping = 0.2 * s.mass;
+    s.stiffness = 2.0 * s.mass;
+  });
+  for (int i = 0; i < size; ++i) {
+    problem.force.push_back({.dof = i, .cos = 1.0});
+    problem.contacts.push_back({.normal = {{i, 1.0}}, .gap = 0.6, .law = laws[static_cast<std::size_t>(i)]});
+  }
+  return problem;
+}
+
+TEST(MixedLaws, OfUncoupledOscillatorsAreEachAsAlone) {
+  const std::vector<ContactLaw> laws{Restitution{0.6}, Spring{7.0}, Restitution{0.9}};
+  for (const auto& method : methods_of_forms()) {
+    const Samples together = samples_of(*method, uncoupled(laws));
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      const Samples alone = samples_of(*method, uncoupled({laws[static_cast<std::size_t>(j)]}));
+      ASSERT_LT(alone.force.minCoeff(), -0.1) << "its stop is met";
+      EXPECT_LT((together.x.col(j) - alone.x.col(0)).cwiseAbs().maxCoeff(), 1e-8) << j;
+    }
+  }
+}
+
+/// Of an answer from the orbit next to it.
+double error_of(const Method& method, const Problem& problem) {
+  const Solution found = method.prepare(problem)->solve({});
+  EXPECT_EQ(found.verdict, Verdict::converged) << found.message;
+  const Solution orbit = ExactOrbitMethod({}).prepare(problem)->solve({.guess = found.trajectory});
+  EXPECT_EQ(orbit.verdict, Verdict::converged) << orbit.message;
+  return test::relative_distance(*orbit.trajectory, *found.trajectory);
+}
+
+// Hat functions have the restitution of the scene; the series are asked where impacts lose nothing.
+TEST(MixedLaws, OfHatFunctionsAndSeriesApproachTheOrbit) {
+  const Problem scene = load_scene(find_scene("chain2-housing-and-buffer"));
+  const double coarse = error_of(HatLcp({.samples = 256}), scene);
+  EXPECT_LT(coarse, 0.05);
+  EXPECT_LT(error_of(HatLcp({.samples = 1024}), scene), 0.4 * coarse);
+  Problem elastic = scene;
+  elastic.contacts.front().law = Restitution{1.0};
+  const double few = error_of(FourierLipschitz({.common = {.harmonics = 10}}), elastic);
+  EXPECT_LT(few, 0.2);
+  EXPECT_LT(error_of(FourierLipschitz({.common = {.harmonics = 40}}), elastic), 0.4 * few);
+}
+
+TEST(MixedLaws, AreRefusedWhereOneLawIsKnownOrNone) {
   const Problem problem = chain_before(
       "[[contact]]\ndof = 0\ngap = 0.4\nrestitution = 0.6\n[[contact]]\ndof = 2\ngap = 0.3\npenalty = 7.0\n");
-  const std::string reason =
+  EXPECT_EQ(
+      ClosedHbm({}).supports(problem).reason,
       "contacts of different laws, contact 0 with restitution 0.6 and contact 1 with a spring: the method "
-      "knows "
-      "one law for all";
-  EXPECT_EQ(HatLcp({}).supports(problem).reason, reason);
-  EXPECT_EQ(PenaltyHbm({}).supports(problem).reason, reason);
+      "knows one law for all");
+  EXPECT_EQ(HatLcp({.plain = true}).supports(problem).reason,
+            "restitution = none leaves the law of rigid contacts open, but others have one of their own");
+}
+
+TEST(MixedLaws, AreRepresentedContactByContact) {
+  const Problem problem = chain_before(
+      "[[contact]]\ndof = 0\ngap = 0.4\nrestitution = 0.6\n[[contact]]\ndof = 2\ngap = 0.3\npenalty = 7.0\n");
+  const auto laws = [&problem](const Method& method) {
+    return std::get<MixedLaws>(method.law(problem)).laws;
+  };
+  EXPECT_EQ(laws(HatLcp({})), (std::vector<ContactLaw>{Restitution{0.6}, Spring{7.0}}));
+  EXPECT_EQ(laws(HatLcp({.scheme = HatScheme::backward})),
+            (std::vector<ContactLaw>{Restitution{0.0}, Spring{7.0}}));
+  EXPECT_EQ(laws(AftHbm({})), (std::vector<ContactLaw>{Restitution{1.0}, Spring{7.0}}));
 }
 
 }  // namespace

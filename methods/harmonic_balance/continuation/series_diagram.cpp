@@ -125,11 +125,10 @@ BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod&
     const SeriesFamily family = family_of(scene, method, harmonics);
     diagram = SeriesDiagram(family, limits).run(scene, answers);
     diagram.notes.insert(diagram.notes.begin(), notes.begin(), notes.end());
-    const Law scene_law = problem.law();
-    const auto* law = std::get_if<Restitution>(&scene_law);
-    if (law != nullptr && law->e < 1.0)
-      diagram.notes.push_back(
-          fmt::format("curves of harmonic balance have restitution 1, the scene has {:g}", law->e));
+    const auto loses = [](const Contact& contact) { return restitution_of(contact.law) < 1.0; };
+    if (const auto lossy = std::ranges::find_if(problem.contacts, loses); lossy != problem.contacts.end())
+      diagram.notes.push_back(fmt::format("curves of harmonic balance have restitution 1, the scene has {:g}",
+                                          restitution_of(lossy->law)));
   } catch (const std::runtime_error& error) {  // of a structure that cannot be factorised
     diagram.unfinished = error.what();
   }

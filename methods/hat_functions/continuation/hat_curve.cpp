@@ -62,8 +62,7 @@ BlockCirculant HatCurve::operator_of(const std::vector<Eigen::MatrixXcd>& recept
   std::vector<Eigen::MatrixXcd> symbol;
   symbol.reserve(receptance.size());
   for (std::size_t n = 0; n < receptance.size(); ++n) {
-    symbol.emplace_back(restitution_shift(stops_.restitution, angle_of(static_cast<int>(n), samples_)) *
-                        receptance[n]);
+    symbol.emplace_back(stops_.shift(static_cast<int>(n), samples_).asDiagonal() * receptance[n]);
     symbol.back().diagonal() += diagonal;
   }
   return {samples_, symbol};
@@ -73,7 +72,7 @@ BlockCirculant HatCurve::operator_of(const std::vector<Eigen::MatrixXcd>& recept
 Eigen::VectorXd HatCurve::shifted_samples(const Eigen::MatrixXcd& spectrum) const {
   Eigen::MatrixXcd shifted = spectrum;
   for (Eigen::Index n = 0; n < shifted.rows(); ++n)
-    shifted.row(n) *= restitution_shift(stops_.restitution, angle_of(static_cast<int>(n), samples_));
+    shifted.row(n) *= stops_.shift(static_cast<int>(n), samples_).asDiagonal();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(spectrum.cols());
   return -free_penetration(shifted, none, Eigen::VectorXd::Ones(spectrum.cols()), samples_);
 }

@@ -19,7 +19,7 @@ struct HatFamily {
   double low = 0.0, high = 0.0;            ///< of the interval [rad/s]
   int samples = 256;                       ///< N of the motions of the scene's order [-]
   HatScheme scheme = HatScheme::galerkin;  ///< the symbol
-  std::optional<double> restitution = {};  ///< as of hat_contact
+  NodalRestitution restitution = {};       ///< as of hat_contact
   double frequency_unit = 1.0;             ///< of the frequency in the unknowns [rad/s]
   double displacement_unit = 1.0;          ///< of w, and of the response to the pressure [m]
 };

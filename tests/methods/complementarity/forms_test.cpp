@@ -140,7 +140,7 @@ ContactReceptance receptance_of(const Problem& problem) {
   });
 }
 
-class HatFormWith : public testing::TestWithParam<std::optional<double>> {};
+class HatFormWith : public testing::TestWithParam<NodalRestitution> {};
 
 TEST_P(HatFormWith, HasForItsSlackTheDistanceThatTheImpactLawLooksAt) {
   const Problem problem = test::damped_chain(3);
@@ -154,8 +154,8 @@ TEST_P(HatFormWith, HasForItsSlackTheDistanceThatTheImpactLawLooksAt) {
   for (int c = 0; c < 2; ++c) {
     for (int k = 0; k < kSamples; ++k) {
       double x = motion(receptance, pressure, c, k);
-      if (GetParam()) {
-        const double e = *GetParam();
+      if (stops.restitution[static_cast<std::size_t>(c)]) {
+        const double e = *stops.restitution[static_cast<std::size_t>(c)];
         x = (motion(receptance, pressure, c, k + 1) + e * motion(receptance, pressure, c, k - 1)) / (1.0 + e);
       }
       const double slack = stops.gap[c] - x + stops.compliance[c] * pressure[c * kSamples + k];
@@ -165,12 +165,13 @@ TEST_P(HatFormWith, HasForItsSlackTheDistanceThatTheImpactLawLooksAt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Restitutions, HatFormWith,
-                         testing::Values(std::optional<double>{}, std::optional<double>{0.0},
-                                         std::optional<double>{0.6}, std::optional<double>{1.0}));
+                         testing::Values(NodalRestitution{}, NodalRestitution{0.0, 0.0},
+                                         NodalRestitution{0.6, 0.6}, NodalRestitution{1.0, 1.0},
+                                         NodalRestitution{std::nullopt, 0.6}, NodalRestitution{0.9, 0.2}));
 
 TEST(HatForm, HasADiagonalOfOrderOne) {
   const Problem problem = test::damped_chain(3);
-  const HatForm form = hat_form(receptance_of(problem), nodal_stops(problem, 0.5), kSamples);
+  const HatForm form = hat_form(receptance_of(problem), nodal_stops(problem, {0.5, 0.5}), kSamples);
   for (int i = 0; i < 2 * kSamples; ++i) {
     Eigen::VectorXd entry;
     form.lcp.matrix->gather_column(std::vector<int>{i}, i, entry);
@@ -180,7 +181,7 @@ TEST(HatForm, HasADiagonalOfOrderOne) {
 
 TEST(HatForm, ScalesPressuresBackAndForth) {
   const Problem problem = test::damped_chain(3);
-  const HatForm form = hat_form(receptance_of(problem), nodal_stops(problem, std::nullopt), kSamples);
+  const HatForm form = hat_form(receptance_of(problem), nodal_stops(problem, {}), kSamples);
   EXPECT_EQ(form.lcp.samples, kSamples);
   const Eigen::VectorXd z = Eigen::VectorXd::Random(2 * kSamples);
   EXPECT_LE((form.scaled(form.pressure(z)) - z).norm(), 1e-15 * z.norm());
@@ -189,13 +190,19 @@ TEST(HatForm, ScalesPressuresBackAndForth) {
 
 TEST(NodalStops, AreCompliantWhereTheSceneHasSprings) {
   Problem problem = test::damped_chain(3);
-  EXPECT_EQ(nodal_stops(problem, 0.4).compliance, Eigen::Vector2d::Zero());
-  EXPECT_EQ(nodal_stops(problem, 0.4).restitution, 0.4);
+  EXPECT_EQ(nodal_stops(problem, {0.4, 0.4}).compliance, Eigen::Vector2d::Zero());
   problem.set_law(Penalty{{50.0, 20.0}});
-  const NodalStops stops = nodal_stops(problem, std::nullopt);
+  const NodalStops stops = nodal_stops(problem, {});
   EXPECT_NEAR(stops.compliance[0], 0.02, 1e-17);
   EXPECT_NEAR(stops.compliance[1], 0.05, 1e-17);
   EXPECT_EQ(stops.gap, contact_gaps(problem));
+}
+
+TEST(SceneRestitution, IsThatOfEachRigidContactWithMass) {
+  Problem problem = test::damped_chain(3);
+  problem.contacts[0].law = Spring{50.0};
+  problem.contacts[1].law = Restitution{0.4};
+  EXPECT_EQ(scene_restitution(problem), (NodalRestitution{std::nullopt, 0.4}));
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <complex>
 #include <variant>
+#include <vector>
 
+#include "methods/augmented_lagrangian/augmented_lagrangian.hpp"
 #include "methods/complementarity/exact_quadrature.hpp"
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/solvers/newton_krylov.hpp"
@@ -48,13 +50,13 @@ TEST(LipschitzLaw, OfASpringStopHasAConstantInSeriesWithTheSpring) {
 TEST(PenaltyLaw, IsTheScenesSpringOrTheStiffnessAskedFor) {
   Problem problem = test::to_problem({.stiffness = 4.0, .frequency = 3.0, .gap = 0.1});
   const ContactReceptance receptance = fourier_receptance(problem, 3);
-  EXPECT_DOUBLE_EQ(penalty_law(problem, Scaled{10.0, true}, receptance).constant[0], 40.0);
-  EXPECT_DOUBLE_EQ(penalty_law(problem, Scaled{10.0, false}, receptance).constant[0], 10.0);
+  EXPECT_DOUBLE_EQ(penalty_law(problem, {.asked = Scaled{10.0, true}}, receptance).constant[0], 40.0);
+  EXPECT_DOUBLE_EQ(penalty_law(problem, {.asked = Scaled{10.0, false}}, receptance).constant[0], 10.0);
   EXPECT_DOUBLE_EQ(penalty_law(problem, {}, receptance).constant[0],
                    8.0 * highest_dynamic_stiffness(receptance)[0]);
   problem.set_law(Penalty{{100.0}});
-  const ProjectedLaw law = penalty_law(problem, {}, receptance);
-  EXPECT_DOUBLE_EQ(law.constant[0], 100.0);
+  const ProjectedLaw law = penalty_law(problem, {.rigid = Scaled{7.0, true}}, receptance);
+  EXPECT_DOUBLE_EQ(law.constant[0], 100.0) << "what takes the place of rigid stops does not of springs";
   EXPECT_DOUBLE_EQ(law.multiplier_weight[0], 0.0);
 }
 
@@ -76,6 +78,38 @@ TEST(OnSprings, PutsTheSpringInSeriesWithTheStop) {
   const ProjectedLaw soft = on_springs(law, 2.0);
   EXPECT_NEAR(soft.constant[0] / (1.0 - soft.multiplier_weight[0]), 16.0, 1e-13);
   EXPECT_NEAR(soft.constant[1] / (1.0 - soft.multiplier_weight[1]), 1.0 / (1.0 / 300.0 + 1.0 / 150.0), 1e-12);
+}
+
+// A contact has its own law whatever the laws of the others.
+TEST(ProjectedLaws, OfMixturesAreThoseOfEachContact) {
+  const Problem rigid =
+      test::to_problem({.stiffness = 4.0, .frequency = 3.0, .gap = 0.1, .restitution = 0.3});
+  const auto with = [&rigid](const std::vector<ContactLaw>& laws) {
+    Problem problem = rigid;
+    problem.contacts.assign(laws.size(), rigid.contacts.front());
+    problem.set_law(common_law(laws));
+    return problem;
+  };
+  const Problem mixed = with({Restitution{0.3}, Spring{70.0}});
+  const ContactReceptance both = fourier_receptance(mixed, 3);
+  const auto expect_each = [&](const auto& law_of) {
+    const ProjectedLaw law = law_of(mixed, both);
+    const ProjectedLaw first = law_of(with({Restitution{0.3}, Restitution{0.3}}), both);
+    const ProjectedLaw second = law_of(with({Spring{70.0}, Spring{70.0}}), both);
+    EXPECT_EQ(law.constant, Eigen::Vector2d(first.constant[0], second.constant[1]));
+    EXPECT_EQ(law.multiplier_weight,
+              Eigen::Vector2d(first.multiplier_weight[0], second.multiplier_weight[1]));
+  };
+  expect_each([](const Problem& p, const ContactReceptance& r) { return lipschitz_law(p, {}, r); });
+  expect_each([](const Problem& p, const ContactReceptance& r) {
+    return penalty_law(p, {.rigid = Scaled{100.0, true}}, r);
+  });
+  expect_each([](const Problem& p, const ContactReceptance& r) { return augmented_law(p, {}, r); });
+  const MixedLaws represented = std::get<MixedLaws>(projected_method_law(mixed));
+  EXPECT_EQ(represented.laws, (std::vector<ContactLaw>{Restitution{1.0}, Spring{70.0}}));
+  EXPECT_EQ(std::get<MixedLaws>(projected_method_law(mixed, Scaled{7.0, false})).laws[1],
+            ContactLaw(Spring{7.0}));
+  EXPECT_EQ(std::get<Restitution>(projected_method_law(with({Restitution{0.3}, Restitution{0.8}}))).e, 1.0);
 }
 
 TEST(ProjectedMethodLaw, IsConservativeWhereTheStopIsRigid) {

@@ -50,26 +50,22 @@ TEST(HarmonicOptions, PlainSetsWhatIsLeftOpen) {
 }
 
 TEST(HarmonicOptions, PlainTakesTheLiteraturesConstantsUnlessOneIsGiven) {
-  Problem rigid = test::to_problem({.frequency = 2.2, .gap = 0.2});
-  Problem spring = rigid;
-  spring.set_law(Penalty{{300.0}});
   const HarmonicOptions ours;
   EXPECT_FALSE(ours.lipschitz_constant({}, false));
-  EXPECT_FALSE(ours.penalty({}, rigid, true));
+  EXPECT_FALSE(ours.penalty({}, true).asked || ours.penalty({}, true).rigid);
   const HarmonicOptions plain{.plain = true};
   EXPECT_EQ(plain.lipschitz_constant({}, false), 1.0);
   EXPECT_EQ(plain.lipschitz_constant(7.0, false), 7.0);
-  EXPECT_EQ(plain.penalty({}, rigid, false), (Scaled{100.0, true}));
-  EXPECT_EQ(plain.penalty(Scaled{1e6, false}, rigid, true), (Scaled{1e6, false}));
-  EXPECT_FALSE(plain.penalty({}, spring, true)) << "the spring's own stiffness";
+  EXPECT_EQ(plain.penalty({}, false).rigid, (Scaled{100.0, true}));
+  EXPECT_EQ(plain.penalty(Scaled{1e6, false}, true).asked, (Scaled{1e6, false}));
+  EXPECT_FALSE(plain.penalty({}, true).asked) << "a spring keeps its own stiffness";
 }
 
 TEST(HarmonicOptions, PlainIsHardWherePivotsNeedNoStart) {
-  const Problem rigid = test::to_problem({.frequency = 2.2, .gap = 0.2});
   const HarmonicOptions plain{.plain = true};
   EXPECT_EQ(plain.lipschitz_constant({}, true), 1e5);
   EXPECT_EQ(plain.lipschitz_constant(1.0, true), 1.0);
-  EXPECT_EQ(plain.penalty({}, rigid, true), (Scaled{1e5, true}));
+  EXPECT_EQ(plain.penalty({}, true).rigid, (Scaled{1e5, true}));
 }
 
 /// What a method says of a setting that it does not take.

@@ -21,7 +21,7 @@ const test::ImpactOscillator kImpacts{.damping = 0.1, .frequency = 1.5, .gap = 0
 
 Solution solve(const test::ImpactOscillator& oscillator, const HatSettings& grid) {
   const Problem scene = test::to_problem(oscillator);
-  return hat_contact(scene, grid, oscillator.restitution)->solve({});
+  return hat_contact(scene, grid, {oscillator.restitution})->solve({});
 }
 
 TEST(HatContact, FindsTheSameContactByEverySolverThatConverges) {
@@ -117,7 +117,8 @@ TEST(HatContact, WithFarStopsIsTheRingOfNodalEquations) {
   Problem problem = test::damped_chain(3);
   for (Contact& contact : problem.contacts) contact.gap = 1e3;
   for (const HatScheme scheme : {HatScheme::galerkin, HatScheme::nodal, HatScheme::backward}) {
-    const Solution solution = hat_contact(problem, {.samples = kNodes, .scheme = scheme}, 0.5)->solve({});
+    const Solution solution =
+        hat_contact(problem, {.samples = kNodes, .scheme = scheme}, {0.5, 0.5})->solve({});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     const Samples samples = solution.trajectory->sample(kNodes);
     const Eigen::MatrixXd expected = ring_solution(problem, scheme);
@@ -132,7 +133,7 @@ TEST(HatContact, SatisfiesTheContactConditionAtItsNodes) {
   const Problem problem =
       test::to_problem({.damping = 0.1, .frequency = 1.5, .gap = 0.2, .restitution = kRestitution});
   constexpr int kFine = 128;
-  const Solution solution = hat_contact(problem, {.samples = kFine}, kRestitution)->solve({});
+  const Solution solution = hat_contact(problem, {.samples = kFine}, {kRestitution})->solve({});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   const Samples samples = solution.trajectory->sample(kFine);
   const double largest = samples.force.cwiseAbs().maxCoeff();
@@ -150,7 +151,7 @@ TEST(HatContact, SatisfiesTheContactConditionAtItsNodes) {
 TEST(HatContact, OfASceneWithoutContactsIsItsLinearResponse) {
   Problem problem = test::damped_chain(3, 0);
   problem.set_law(std::monostate{});
-  const Solution solution = hat_contact(problem, {.samples = kNodes}, std::nullopt)->solve({});
+  const Solution solution = hat_contact(problem, {.samples = kNodes}, {})->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged);
   EXPECT_NE(solution.message.find("no contact"), std::string::npos);
   EXPECT_EQ(solution.work.unknowns, 0);
@@ -173,7 +174,7 @@ TEST(CoarsestHatGrid, HasSixteenNodesPerOscillationOfTheLoadFrom256To4096) {
 
 TEST(HatGrids, HaveFourTimesAsManyNodesEachUpToTheFinest) {
   const Problem problem = loaded_at(1);
-  Resolutions grids = hat_grids(problem, {.samples = 7}, 0.8);
+  Resolutions grids = hat_grids(problem, {.samples = 7}, {0.8});
   ASSERT_EQ(grids.count(), 3U);
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(grids.value(k), 256 << 2 * k);
   // Each prepared for its own number of nodes, not for that of the settings.
@@ -182,7 +183,7 @@ TEST(HatGrids, HaveFourTimesAsManyNodesEachUpToTheFinest) {
 
 TEST(RefinedHatContact, AgreesOnTwoGridsBeforeItAnswers) {
   const Problem problem = loaded_at(1);
-  const Solution solution = refined_hat_contact(problem, {}, 0.8)->solve({});
+  const Solution solution = refined_hat_contact(problem, {}, {0.8})->solve({});
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_GE(solution.work.unknowns, 1024);
   EXPECT_NE(solution.message.find("N = "), std::string::npos);
@@ -192,11 +193,11 @@ TEST(RefinedHatContact, AgreesOnTwoGridsBeforeItAnswers) {
 // solution, without a pivot: the one that pivoting finds cold.
 TEST(HatContact, OfALargeStructureBeginsAtItsMarch) {
   const Problem block = test::padded_block_problem({});
-  const Solution marched = hat_contact(block, {.samples = 64}, std::nullopt)->solve({});
+  const Solution marched = hat_contact(block, {.samples = 64}, {})->solve({});
   ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
   EXPECT_EQ(marched.work.pivots, 0);
   const Solution pivoted =
-      hat_contact(block, {.samples = 64, .solver = ComplementaritySolver::pivoting}, std::nullopt)->solve({});
+      hat_contact(block, {.samples = 64, .solver = ComplementaritySolver::pivoting}, {})->solve({});
   ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
   EXPECT_GT(pivoted.work.pivots.value_or(0), 0);
   const Eigen::MatrixXd x = marched.trajectory->sample(64).x;

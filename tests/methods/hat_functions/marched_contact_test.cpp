@@ -46,12 +46,12 @@ class MarchedContact : public testing::TestWithParam<MarchedCase> {};
 TEST_P(MarchedContact, IsTheProblemOfTheWholePeriod) {
   constexpr int kNodes = 96;
   const Problem& problem = GetParam().problem;
-  const Solution marched = hat_contact(problem, second_order(kNodes), std::nullopt)->solve({});
+  const Solution marched = hat_contact(problem, second_order(kNodes), {})->solve({});
   ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
   EXPECT_FALSE(marched.work.pivots);
   EXPECT_EQ(marched.work.unknowns, kNodes * problem.contact_count());
   const Solution pivoted =
-      hat_contact(problem, second_order(kNodes, ComplementaritySolver::pivoting), std::nullopt)->solve({});
+      hat_contact(problem, second_order(kNodes, ComplementaritySolver::pivoting), {})->solve({});
   ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
   const Samples a = nodes_of(marched, kNodes), b = nodes_of(pivoted, kNodes);
   ASSERT_LT(b.force.minCoeff(), 0.0);
@@ -100,7 +100,7 @@ TEST(MarchedContact, SolvesWhereContactsStayClosed) {
         -0.5 * amplitude * deflection[static_cast<Eigen::Index>(c)] / deflection.maxCoeff();
   }
   for (const int samples : {256, 1024}) {
-    const Solution solution = hat_contact(problem, second_order(samples), std::nullopt)->solve({});
+    const Solution solution = hat_contact(problem, second_order(samples), {})->solve({});
     ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
     const Samples nodes = nodes_of(solution, samples);
     const double closed = (nodes.force.array() < 0.0).cast<double>().mean();
@@ -116,7 +116,7 @@ TEST(MarchedReduction, IsEmptyWhereNothingCanBeMarched) {
   damped.edit_structure([](Structure& s) { s.damping.coeffRef(0, 0) += 1.0; });
   EXPECT_FALSE(marched_reduction(damped));
   // The grid is still solved, by pivoting.
-  const Solution solution = hat_contact(damped, second_order(64), std::nullopt)->solve({});
+  const Solution solution = hat_contact(damped, second_order(64), {})->solve({});
   EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_TRUE(solution.work.pivots);
   Problem alone = damped;

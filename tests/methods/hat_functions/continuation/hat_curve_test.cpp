@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -45,7 +44,7 @@ HatLcp with_samples(int samples) {
 TEST(HatCurve, DerivativesAreThoseOfDifferences) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> pressure(0.1, 1.0);
-  for (const std::optional<double>& restitution : {std::optional<double>{}, std::optional<double>(0.8)}) {
+  for (const NodalRestitution& restitution : {NodalRestitution{}, NodalRestitution{0.8}}) {
     HatFamily family = hat_family(test::to_problem(kStop), 1.5, 4.5);
     family.samples = 16;
     family.restitution = restitution;
