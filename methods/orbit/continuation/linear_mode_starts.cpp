@@ -178,14 +178,17 @@ LinearModeStarts linear_mode_starts(OrbitFamily& family) {
 
 std::optional<ParameterRange> free_motion_band(const Problem& problem) {
   constexpr Eigen::Index kModes = 3;
-  constexpr double kBelow = 0.95, kBeyond = 2.0;
+  constexpr double kBelow = 0.95, kBeside = 1.05, kBeyond = 2.0;
   if (problem.contacts.empty()) return std::nullopt;
-  const ContactDynamics dynamics(problem);
+  OrbitModel model(problem);
+  const ContactDynamics& dynamics = model.dynamics;
   if (dynamics.size() == 0) return std::nullopt;
   const Eigen::VectorXd open = frequencies_where(dynamics, false);
   const Eigen::Index last = std::min(kModes, open.size()) - 1;
   double high = kBeyond * open[last];
   if (!dynamics.rigid()) high = std::min(high, frequencies_where(dynamics, true)[last]);
+  const RestBesideStops rest = rest_of(model);
+  if (rest.obstacle.empty()) high = std::max(high, kBeside * std::sqrt(rest.modes.values[last]));
   if (!(open[0] > 0.0 && high > kBelow * open[0])) return std::nullopt;
   return ParameterRange{.low = kBelow * open[0], .high = high};
 }

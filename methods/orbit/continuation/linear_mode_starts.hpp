@@ -48,7 +48,8 @@ struct LinearModeStarts {
 LinearModeStarts linear_mode_starts(OrbitFamily& family);
 
 /// From below the lowest frequency of the free motions of a scene without load to above those of its first
-/// three modes: twice that of the third with all contacts open, or with all held where that is less [rad/s].
+/// three modes: twice that of the third with all contacts open, or with all held where that is less, and in
+/// any case above that about the state of rest [rad/s].
 /// Empty where there is nothing that moves, or a spring is missing.
 std::optional<ParameterRange> free_motion_band(const Problem& problem);
 
