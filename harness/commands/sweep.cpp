@@ -24,6 +24,7 @@
 #include "harness/terminal/sweep_output.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
@@ -119,6 +120,14 @@ ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& sce
   if (arguments.parameter == kFrequency) {
     (void)sweep_frequencies(range);  // refuses a range that is none
     return over_frequency(scene.problem, range.from, range.to);
+  }
+  if (arguments.parameter == kEnergy) {
+    const Problem& problem = scene.problem;
+    if (!(range.from > 0.0 && range.to > 0.0) || range.from == range.to)
+      throw UsageError("--from and --to must be different energies above 0");
+    return {.parameter = arguments.parameter, .from = range.from, .to = range.to, .at = [problem](double) {
+              return problem;
+            }};
   }
   if (arguments.natural)
     throw UsageError(
@@ -333,7 +342,24 @@ int sweep_attractors(const SweepArguments& arguments) {
   return all && told ? kDone : kUnexpectedFailure;
 }
 
+// Free motions have an interval of their own, and one method follows them.
+void complete_free_motions(SweepArguments& arguments) {
+  const bool no_interval =
+      arguments.parameter == kFrequency && !arguments.from && !arguments.to && arguments.range.at.empty();
+  if (!arguments.method.empty() || arguments.natural || arguments.attractors.starts > 0) return;
+  if (!no_interval && !arguments.methods.empty()) return;
+  const Problem problem = read_scene(find_scene(arguments.scene)).problem;
+  if (highest_load_harmonic(problem) > 0 || !continuation_obstacle(problem).empty()) return;
+  if (arguments.methods.empty()) arguments.methods = exact_method().name;
+  const auto band = no_interval ? free_motion_band(problem) : std::nullopt;
+  if (!band) return;
+  arguments.from = band->low;
+  arguments.to = band->high;
+  arguments.hertz = false;
+}
+
 int sweep(SweepArguments arguments) {
+  complete_free_motions(arguments);
   arguments.range = interval(arguments);
   if (arguments.attractors.starts == 0 && arguments.method.empty() == arguments.methods.empty())
     throw UsageError("one of --method and --methods is required");

@@ -17,7 +17,8 @@ namespace {
 void add_branch_options(const Command& command, SweepArguments& arguments) {
   command
       .option("--parameter", arguments.parameter,
-              "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap")
+              "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap; "
+              "energy: that of free motions [J]")
       .shows_default();
   command
       .option("--max-order,--orders", arguments.branches.max_order,

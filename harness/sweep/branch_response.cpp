@@ -12,6 +12,7 @@
 #include "harness/orbits/orbit_search.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/sweep/branch_json.hpp"
+#include "harness/sweep/free_motions.hpp"
 #include "problems/scene/varied_scene.hpp"
 
 namespace signorini {
@@ -48,15 +49,17 @@ Cell largest_cell(const std::vector<double>& values) {
 
 std::vector<Cell> row_of(const std::string& method, std::size_t branch, const SolutionPoint& point,
                          const std::string& mark) {
-  return {method,
-          number_of(static_cast<double>(branch)),
-          number_of(point.parameter),
-          number_of(point.order),
-          number_of(point.impacts),
-          largest_cell(point.x_max),
-          largest_cell(point.amplitude),
-          describe(point.stability),
-          mark};
+  std::vector<Cell> row{method,
+                        number_of(static_cast<double>(branch)),
+                        number_of(point.parameter),
+                        number_of(point.order),
+                        number_of(point.impacts),
+                        largest_cell(point.x_max),
+                        largest_cell(point.amplitude),
+                        describe(point.stability),
+                        mark};
+  if (point.energy) row.push_back(number_of(other_than_parameter(point)));
+  return row;
 }
 
 // The points of a branch at values asked for.
@@ -148,6 +151,8 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
 
 std::vector<ParameterRange> missing(const MethodResponse& response) {
   const std::vector<Branch>& branches = response.diagram.branches;
+  // Modes have frequencies where they have them, and none between.
+  if (response.diagram.unfinished.empty() && of_free_motions(response.diagram)) return {};
   if (!response.asked || response.at_values || branches.empty()) return {};
   std::vector<ParameterRange> held;
   for (const Branch& branch : branches)
@@ -218,9 +223,11 @@ Branch points_at(const Branch& branch, const std::vector<double>& values) {
 Table branch_table(const std::vector<MethodResponse>& responses, std::size_t first) {
   Table table;
   const std::string parameter = responses.empty() ? std::string(kFrequency) : responses.front().parameter;
-  table.header = {"method",        "branch",    parameter == kFrequency ? "omega [rad/s]" : parameter,
+  table.header = {"method",        "branch",    parameter_title(parameter),
                   "order",         "impacts",   "x max [m]",
                   "amplitude [m]", "stability", "mark"};
+  if (std::ranges::any_of(responses, of_free_motions, &MethodResponse::diagram))
+    table.header.push_back(parameter == kEnergy ? "omega [rad/s]" : "energy [J]");
   for (const MethodResponse& response : responses) {
     const std::string name = name_with_law(response);
     const auto& add = response.at_values ? add_points : add_rows;
@@ -233,6 +240,7 @@ Table branch_table(const std::vector<MethodResponse>& responses, std::size_t fir
                             stability.empty() ? "-" : stability, std::string(status_name(step.status))});
     }
   }
+  for (std::vector<Cell>& row : table.rows) row.resize(table.header.size(), Cell("-"));
   return table;
 }
 

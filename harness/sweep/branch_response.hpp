@@ -60,8 +60,8 @@ struct MethodResponse {
 std::string name_with_law(const MethodResponse& response);
 
 /// Parts of the interval asked for at which no branch by arc length has a motion (`uncovered`); neighbouring
-/// points of a branch are taken to be joined. None without a branch, or of branches that hold points at
-/// values only.
+/// points of a branch are taken to be joined. None without a branch, of branches that hold points at values
+/// only, or of free motions where nothing was left undone: modes have their frequencies, and none between.
 std::vector<ParameterRange> missing(const MethodResponse& response);
 
 /// "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)";
@@ -73,7 +73,8 @@ std::string incompleteness(const MethodResponse& response);
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
 /// One row per point and, unless points at values were asked for, special point, in the order of the
-/// branches, with name_with_law as method. \param first  number of the first branch
+/// branches, with name_with_law as method; of free motions with energy and frequency. \param first  number of
+/// the first branch
 Table branch_table(const std::vector<MethodResponse>& responses, std::size_t first = 0);
 
 }  // namespace signorini

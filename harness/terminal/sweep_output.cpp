@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/report/document/lines.hpp"
+#include "harness/sweep/free_motions.hpp"
 
 namespace signorini {
 
@@ -12,12 +13,15 @@ namespace {
 
 constexpr std::size_t kSweepColumns = 80;
 constexpr std::size_t kPointIndent = 32;  // columns of the numbers before the words of a line
+constexpr std::size_t kEnergyColumn = 15;
 
-/// "     3.855375        1.76251  fold".
+/// "     3.855375        1.76251  fold"; of free motions the energy is a third number.
 std::string point_line(const SolutionPoint& point, const std::string& words) {
   const double amplitude = point.amplitude.empty() ? 0.0 : *std::ranges::max_element(point.amplitude);
-  return named_lines(fmt::format("{:>14.8g}{:>15.6g}", point.parameter, amplitude), kPointIndent, words,
-                     kSweepColumns);
+  const std::string numbers = fmt::format("{:>14.8g}{:>15.6g}", point.parameter, amplitude);
+  if (!point.energy) return named_lines(numbers, kPointIndent, words, kSweepColumns);
+  return named_lines(numbers + fmt::format("{:>{}.8g}", other_than_parameter(point), kEnergyColumn),
+                     kPointIndent + kEnergyColumn, words, kSweepColumns);
 }
 
 /// "all stable", "30 stable, 36 unstable": how many points are what.
@@ -61,11 +65,15 @@ std::string branch_text(std::size_t number, const Branch& branch) {
 
 std::string branches_text(const MethodResponse& response) {
   const std::vector<Branch>& branches = response.diagram.branches;
-  const bool over_frequency = response.parameter == kFrequency;
-  std::string text =
-      fmt::format("{}: {}\n{:>14}{:>15}\n", name_with_law(response),
-                  branches.size() == 1 ? "1 branch" : fmt::format("{} branches", branches.size()),
-                  over_frequency ? "omega [rad/s]" : response.parameter, "amplitude [m]");
+  const bool over_energy = response.parameter == kEnergy;
+  std::string text = fmt::format(
+      "{}: {}\n{:>14}{:>15}{}\n", name_with_law(response),
+      branches.size() == 1 ? "1 branch" : fmt::format("{} branches", branches.size()),
+      parameter_title(response.parameter), "amplitude [m]",
+      of_free_motions(response.diagram)
+          ? fmt::format("{:>{}}", parameter_title(std::string(over_energy ? kFrequency : kEnergy)),
+                        kEnergyColumn)
+          : "");
   for (std::size_t i = 0; i < branches.size(); ++i) text += branch_text(i, branches[i]);
   return text;
 }

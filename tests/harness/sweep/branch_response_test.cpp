@@ -14,6 +14,7 @@
 #include "harness/plan/plan.hpp"
 #include "methods/exact_orbit/exact_diagram.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/harness/sweep/random_scenes.hpp"
 #include "tests/harness/sweep/sound_branches.hpp"
@@ -237,6 +238,25 @@ TEST(ExactBranches, OfRandomScenesAreTheirOrbits) {
         test::expect_orbits_of(scene, exact_diagram(scene, ExactOrbitMethod({}), {.max_branches = 10}));
   }
   EXPECT_GT(compared, 1000);
+}
+
+// Energy and frequency stand beside each other, and no mode is missing between the bands of others.
+TEST(BranchTable, HasTheEnergyOfFreeMotions) {
+  MethodResponse response{.method = "exact-orbit", .asked = ParameterRange{.low = 1.0, .high = 9.0}};
+  response.diagram.branches = {{.points = {{.parameter = 3.0, .frequency = 3.0, .energy = 0.5},
+                                           {.parameter = 4.0, .frequency = 4.0, .energy = 0.75}}}};
+  EXPECT_EQ(incompleteness(response), "");
+  const Table table = branch_table({response});
+  EXPECT_EQ(table.header.back(), "energy [J]");
+  EXPECT_EQ(table.rows.at(1).back().text, "0.75");
+  response.diagram.unfinished = "the time is up";
+  EXPECT_NE(incompleteness(response), "");
+  response.parameter = kEnergy;
+  for (SolutionPoint& point : response.diagram.branches[0].points) point.parameter = *point.energy;
+  const Table by_energy = branch_table({response});
+  EXPECT_EQ(by_energy.header.at(2), "energy [J]");
+  EXPECT_EQ(by_energy.header.back(), "omega [rad/s]");
+  EXPECT_EQ(by_energy.rows.at(1).back().text, "4");
 }
 
 TEST(Incompleteness, SaysWhatIsMissingAndWhatGoesOn) {
