@@ -46,8 +46,9 @@ void list_suites() {
   for (const auto& file : shipped_files("suites")) {
     const Suite suite = load_suite(file.string());
     const std::size_t scenes = count_scenes(suite, shipped);
-    const std::string held = suite.responses.empty() ? fmt::format("{} scene{}", scenes, scenes == 1 ? "" : "s")
-                                                     : fmt::format("{} responses", suite.responses.size());
+    const std::string held = suite.responses.empty()
+                                 ? fmt::format("{} scene{}", scenes, scenes == 1 ? "" : "s")
+                                 : fmt::format("{} responses", suite.responses.size());
     fmt::print("{:<20} {} ({}{})\n", suite.name, suite.title, held,
                suite.instances > 0 ? fmt::format(", {} of each file with ranges", suite.instances) : "");
   }

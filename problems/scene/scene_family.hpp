@@ -40,8 +40,8 @@ struct SceneInstance {
 
 /// What of a file with several scenes is one scene; neither for a scene by itself.
 struct SceneVariant {
-  std::optional<FamilyLevel> family = {};
-  std::optional<SceneInstance> instance = {};
+  std::optional<FamilyLevel> family = {};      ///< of a family
+  std::optional<SceneInstance> instance = {};  ///< of a file with ranges
 };
 
 /// Shortest text that reads back as the level: "1e-4", "0.5", "1000".

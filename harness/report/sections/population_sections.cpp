@@ -17,10 +17,10 @@ namespace signorini {
 namespace {
 
 constexpr std::string_view kPopulationText =
-    R"(The scenes are drawn from ranges of their numbers: nobody tuned a
-method to them, and another seed draws others. Solved: certified under the scene's own law. False: claims to have
-converged that are refuted, of a thousand claims. In brackets the intervals of 95 % confidence of the shares of the
-whole population that the ranges describe (Wilson's); rows whose intervals overlap may differ by chance.)";
+    R"(The scenes are drawn from ranges of their numbers. No method was tuned to
+them, and another seed draws others. Solved: certified under the scene's own law. False: claims to have converged that
+are refuted, of a thousand claims. In brackets the intervals of 95 % confidence of the shares of the whole population
+that the ranges describe (Wilson's). Rows whose intervals overlap may differ by chance.)";
 
 /// "92 of 100 (85 to 96 %)", or per thousand.
 Cell share_cell(int count, int of, double unit, std::string_view sign) {

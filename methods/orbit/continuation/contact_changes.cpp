@@ -90,7 +90,7 @@ ChangeOfSequence begin_phases(OrbitFamily& family, const SequencedOrbit& orbit,
   }
   const auto quiet = with_quiet_section(family, with_phases);
   auto start =
-      quiet ? start_growing(family, *quiet, "phases of contact begin or are interrupted") : std::nullopt;
+      quiet ? start_growing(family, *quiet, "contacts start pressing, or open for a moment") : std::nullopt;
   if (!start) return {.obstacle = "how the motion goes on is not told"};
   start->first_step_share = kBrief;
   return {.start = std::move(start)};

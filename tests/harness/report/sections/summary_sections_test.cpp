@@ -82,7 +82,7 @@ TEST(SummarySections, HoldTheScenesLawAndCountProblemsOnce) {
   const Section section = summary_sections(Evaluation(records)).front();
   EXPECT_EQ(row_of(section, "m")[1], "1 of 1");
   EXPECT_EQ(row_of(section, "m").back(), "1 of 2");
-  EXPECT_NE(section.note.find("1 time a method"), std::string::npos) << section.note;
+  EXPECT_NE(section.note.find("1 duplicate was left out"), std::string::npos) << section.note;
 }
 
 TEST(SummarySections, SayWhereAMethodRepresentsNoSceneAndWhereNothingWasTimed) {

@@ -152,9 +152,10 @@ TEST(StickingChanges, LeadAChainThroughInterruptionsBothWays) {
   ASSERT_NE(merged, nullptr);
   const SequencedOrbit seed = orbit_of(family, *merged, merged->points.size() / 2);
   const OrbitDiagram up = trace_diagram(family, {seed}, {.max_order = 1, .max_branches = 3});
-  const auto interrupted = std::find_if(
-      up.branches.begin(), up.branches.end(),
-      [](const OrbitBranch& branch) { return branch.began.find("interrupted") != std::string::npos; });
+  const auto interrupted =
+      std::find_if(up.branches.begin(), up.branches.end(), [](const OrbitBranch& branch) {
+        return branch.began.find("starts pressing, or opens") != std::string::npos;
+      });
   ASSERT_NE(interrupted, up.branches.end());
   EXPECT_NEAR(interrupted->points.front().parameter, merged->points.front().parameter, 1e-10);
   EXPECT_GT(interrupted->points.size(), 10U);
