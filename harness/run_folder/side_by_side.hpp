@@ -10,8 +10,8 @@ namespace signorini {
 
 /// Writes the records of runs into one folder, which reports then take for a run: of each the name of its
 /// folder (Record::run) stands beside its methods. Errors, outcomes and certificates stay as they are. Times
-/// stay of the first run, and of those on the same machine whose own are comparable; of the others they are
-/// left out, and the manifest says of which and why (`runs`).
+/// stay of runs whose own are comparable and whose machine is that of the first; of the others they are left
+/// out, and the manifest says of which and why (`runs`).
 /// \throws UsageError if a folder is no run, two have one name, or a scene differs between runs
 void put_side_by_side(std::span<const std::filesystem::path> folders, const std::filesystem::path& out);
 

@@ -185,10 +185,11 @@ column: within the time limit.)";
 
 constexpr std::string_view kPairsText =
     R"(Share of all scenes that the method of the row solves at least as fast
-as that of the column, the two alone: a joint profile of more than two methods tells only who is first. In brackets how
-many times as long the row takes, the median over the scenes that both solve. No difference: the two differ by less than
-5 %, or by no more than chance would explain (signed ranks of the logarithms of their times, a failure being slower than
-any time; 5 % for all pairs of an error together, Holm's correction).)";
+as that of the column, the two alone: a joint profile of more than two methods tells only who is first. Methods that reach
+the error nowhere have no row. In brackets how many times as long the row takes, the median over the scenes that both
+solve. =: no difference; the two differ by less than 5 %, or by no more than chance would explain (signed ranks of the
+logarithms of their times, a failure being slower than any time; 5 % for all pairs of an error together, Holm's
+correction).)";
 
 constexpr std::string_view kWorkText =
     R"(What the cheapest resolution by each count needs, the median over all
@@ -227,7 +228,7 @@ void fill_means(const RankingGroup& group, double limit, Section& section) {
 
 void fill_distribution(const RankingGroup& group, double limit, Section& section) {
   if (!is_timed(group)) return;
-  constexpr std::array kTimes{1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0};  // [s]
+  constexpr std::array kTimes{1e-4, 1e-3, 1e-2, 1.0};  // [s]
   std::vector<std::string> titles;
   std::vector<std::vector<double>> times(group.configurations.size());  // of all targets
   for (const double error : kErrorLevels) {
@@ -290,10 +291,10 @@ std::vector<bool> differences(const Costs& costs) {
   return differ;
 }
 
-/// "62 % (1.9)", or "62 %, no difference".
+/// "62 % (1.9)", or "62 % =".
 Cell pair_cell(const std::vector<double>& row, const std::vector<double>& column, bool differ) {
   Cell cell = share_cell(performance_profile({row, column}).share(0, 1.0));
-  cell.text += differ ? fmt::format(" ({:.2g})", PairedTimes(row, column).ratio()) : ", no difference";
+  cell.text += differ ? fmt::format(" ({:.2g})", PairedTimes(row, column).ratio()) : " =";
   return cell;
 }
 
@@ -311,6 +312,7 @@ void fill_pairs(const RankingGroup& group, Section& section) {
       return a * (2 * costs.size() - a - 1) / 2 + b - a - 1;
     };
     for (std::size_t a = 0; a < costs.size(); ++a) {
+      if (std::ranges::none_of(costs[a], [](double cost) { return std::isfinite(cost); })) continue;
       std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[a]};
       for (std::size_t b = 0; b < costs.size(); ++b)
         row.push_back(a == b ? Cell("·")

@@ -123,7 +123,7 @@ std::vector<std::string> pair_row(double factor) {
 
 TEST(RankingSections, TellADifferenceFromChance) {
   EXPECT_EQ(pair_row(1.2)[3], "100 % (0.83)");
-  EXPECT_NE(pair_row(1.02)[3].find("no difference"), std::string::npos) << pair_row(1.02)[3];
+  EXPECT_NE(pair_row(1.02)[3].find(" ="), std::string::npos) << pair_row(1.02)[3];
   EXPECT_EQ(pair_row(1.2)[4], "100 % (0.02)");
 }
 
@@ -136,7 +136,7 @@ TEST(RankingSections, CountTargetsReachedWithinATime) {
   }
   // 8 of 20 targets in the end, half of them within 10 ms.
   EXPECT_EQ(row_of(sections_of(Evaluation(records)), "distribution-1", {"a"}),
-            (std::vector<std::string>{"a", "0 %", "0 %", "0 %", "20 %", "20 %", "40 %", "40 %", "40 %"}));
+            (std::vector<std::string>{"a", "0 %", "0 %", "20 %", "40 %", "40 %"}));
 }
 
 }  // namespace
