@@ -197,8 +197,7 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
                "keep the motions in the records, for the figures of report; doubles their size");
   command
       .option("--instances", arguments->narrowing.instances,
-              "scenes drawn from each scene file with ranges; as the suite says if absent, 0: the scene as "
-              "it is written")
+              "scenes drawn from each file with ranges (0: as written); if absent as the suite says")
       .range(0, kMostInstances);
   command
       .option("--seed", arguments->schedule.seed,

@@ -19,6 +19,7 @@
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
 #include "methods/orbit/bifurcation_curves/bifurcation_curve.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/bases/condensation.hpp"

@@ -174,7 +174,8 @@ void read_scene(const SceneField& document, SceneVariant variant, ReadScene& sce
   scene.contact_tables = contacts.tables;
   problem.structure = system.assemble(contact_coordinates(problem));
   read_stops(document, system, contacts, damped, scene);
-  problem = at_frequency(std::move(problem), problem.frequency);
+  const double omega = problem.frequency;
+  problem = at_frequency(std::move(problem), omega);
 }
 
 }  // namespace

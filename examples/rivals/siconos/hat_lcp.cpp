@@ -54,7 +54,7 @@ class Prepared final : public signorini::PreparedMethod {
   Prepared(const Problem& problem, int samples)
       : samples_(samples),
         receptance_(grid_receptance(problem, signorini::HatScheme::galerkin, samples)),
-        stops_(nodal_stops(problem, restitution_of(problem))) {
+        stops_(nodal_stops(problem, scene_restitution(problem))) {
     if (receptance_.rigid_count() > 0)
       throw std::runtime_error("a rigid motion that no spring holds has no place in this problem");
   }
@@ -74,12 +74,6 @@ class Prepared final : public signorini::PreparedMethod {
   }
 
  private:
-  static std::optional<double> restitution_of(const Problem& problem) {
-    const signorini::Law scene_law = problem.law();
-    const auto* law = std::get_if<signorini::Restitution>(&scene_law);
-    return law != nullptr ? std::optional(law->e) : std::nullopt;
-  }
-
   int samples_;
   signorini::ContactReceptance receptance_;
   signorini::NodalStops stops_;

@@ -332,7 +332,8 @@ std::optional<SequencedOrbit> struck_at(OrbitFamily& family, const GrazingOrbit&
   std::vector<PlacedEvent> impacts;
   for (const int hit : hits) {
     const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(hit % count)];
-    impacts.emplace_back(touch.phase + hit / count * grazing.base.end(),
+    const int passed = hit / count;  // periods
+    impacts.emplace_back(touch.phase + passed * grazing.base.end(),
                          SequenceEvent{.kind = ContactEvent::Kind::impact,
                                        .contact = touch.contact,
                                        .pushed = {touch.contact},
