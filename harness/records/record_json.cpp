@@ -51,6 +51,22 @@ OptionValue option_from_json(const Json& json) {
   return text == "auto" ? OptionValue{} : OptionValue{text};
 }
 
+/// Pairs of a name and a value as an object, in their order.
+template <class Pairs>
+Json object_of(const Pairs& pairs) {
+  Json json = Json::object();
+  for (const auto& [name, value] : pairs) json[name] = value;
+  return json;
+}
+
+template <class Pairs>
+Pairs pairs_of(const Json& json) {
+  using Value = typename Pairs::value_type::second_type;
+  Pairs pairs;
+  for (const auto& [name, value] : json.items()) pairs.emplace_back(name, value.template get<Value>());
+  return pairs;
+}
+
 }  // namespace
 
 Json contact_law_json(const ContactLaw& law) { return std::visit(LawWriter{}, law); }
@@ -84,29 +100,13 @@ RecordedOptions JsonForm<RecordedOptions>::read(const Json& json) {
   return options;
 }
 
-Json JsonForm<Settings>::write(const Settings& settings) {
-  Json json = Json::object();
-  for (const auto& [option, value] : settings) json[option] = value;
-  return json;
-}
+Json JsonForm<Settings>::write(const Settings& settings) { return object_of(settings); }
 
-Settings JsonForm<Settings>::read(const Json& json) {
-  Settings settings;
-  for (const auto& [option, value] : json.items()) settings.emplace_back(option, value.get<std::string>());
-  return settings;
-}
+Settings JsonForm<Settings>::read(const Json& json) { return pairs_of<Settings>(json); }
 
-Json JsonForm<DrawnValues>::write(const DrawnValues& values) {
-  Json json = Json::object();
-  for (const auto& [place, value] : values) json[place] = value;
-  return json;
-}
+Json JsonForm<DrawnValues>::write(const DrawnValues& values) { return object_of(values); }
 
-DrawnValues JsonForm<DrawnValues>::read(const Json& json) {
-  DrawnValues values;
-  for (const auto& [place, value] : json.items()) values.emplace_back(place, value.get<double>());
-  return values;
-}
+DrawnValues JsonForm<DrawnValues>::read(const Json& json) { return pairs_of<DrawnValues>(json); }
 
 Json JsonForm<TimedRound>::write(const TimedRound& round) { return {round.setup, round.solve}; }
 

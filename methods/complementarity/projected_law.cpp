@@ -82,10 +82,11 @@ ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& 
 
 ProjectedLaw penalty_law(const Problem& problem, const StopPenalty& penalty,
                          const ContactReceptance& receptance) {
-  const Eigen::VectorXd scale = contact_stiffness_scale(problem);
+  Eigen::VectorXd scale;
+  if (penalty.asked || penalty.rigid) scale = contact_stiffness_scale(problem);
   ProjectedLaw law{.constant = highest_dynamic_stiffness(receptance),
                    .multiplier_weight = Eigen::VectorXd::Zero(problem.contact_count())};
-  for (Eigen::Index j = 0; j < scale.size(); ++j) {
+  for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
     const auto* spring = spring_of(problem, j);
     if (penalty.asked)
       law.constant[j] = penalty.asked->in_units_of(scale[j]);

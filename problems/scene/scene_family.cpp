@@ -57,25 +57,15 @@ TomlNode take_out(TomlNode& document, std::string_view key) {
   return value;
 }
 
-// Numbers that depend on the words of `seeds` alone, the same with every compiler.
-class RangeDraw {
- public:
-  explicit RangeDraw(std::uint64_t seed, int number, std::string_view name) {
-    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    std::seed_seq words{low(seed), high(seed), static_cast<std::uint32_t>(number), low(hash), high(hash)};
-    random_.seed(words);
-  }
-
-  // Uniform in [0, 1).
-  double next() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
-
- private:
-  static std::uint32_t low(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
-  static std::uint32_t high(std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32U); }
-
-  std::mt19937_64 random_;
-};
+// A number in [0, 1) that depends on these alone, the same with every compiler.
+double share_of(std::uint64_t seed, int number, std::string_view name) {
+  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  const auto low = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
+  const auto high = [](std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32U); };
+  std::seed_seq words{low(seed), high(seed), static_cast<std::uint32_t>(number), low(hash), high(hash)};
+  return static_cast<double>(std::mt19937_64(words)() >> 11U) * 0x1p-53;
+}
 
 // A number of six digits, as a person would write it into the file.
 double six_digits(double value) {
@@ -111,8 +101,8 @@ void write_drawn(TomlNode& document, const SceneField& range, const SceneInstanc
       "must be a list of places of numbers in this file, such as contact[0].gap";
   std::vector<std::string> places;
   for (const SceneField& item : range["places"].items(kPlaces)) places.push_back(item.text(kPlaces));
-  RangeDraw draw(instance.seed, instance.number, instance.scene + " " + places.front());
-  const double value = drawn_from(range, draw.next());
+  const double value =
+      drawn_from(range, share_of(instance.seed, instance.number, instance.scene + " " + places.front()));
   for (const std::string& place : places) {
     const SceneField field = SceneField(document, range.file()).at(place);
     if (!field.given()) range["places"].refuse(kPlaces);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/scene_groups.hpp"
@@ -273,21 +274,25 @@ struct PairedTimes {
   }
 };
 
-/// Of each pair a < b of methods, in that order, whether they differ in time to an error.
-std::vector<bool> differences(const Costs& costs) {
+/// Whether two methods differ in time to an error: a row for each, with a column for each.
+std::vector<std::vector<bool>> differences(const Costs& costs) {
   constexpr double kAlike = 1.05, kChance = 0.05;
+  std::vector<std::vector<bool>> differ(costs.size(), std::vector<bool>(costs.size(), false));
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<double> probabilities;
-  std::vector<bool> alike;
   for (std::size_t a = 0; a < costs.size(); ++a) {
     for (std::size_t b = a + 1; b < costs.size(); ++b) {
       const PairedTimes pair(costs[a], costs[b]);
+      pairs.emplace_back(a, b);
       probabilities.push_back(signed_rank_probability(pair.logarithms));
-      alike.push_back(pair.both_solve_all() && std::max(pair.ratio(), 1.0 / pair.ratio()) < kAlike);
+      differ[a][b] = !pair.both_solve_all() || std::max(pair.ratio(), 1.0 / pair.ratio()) >= kAlike;
     }
   }
   probabilities = corrected_probabilities(probabilities);
-  std::vector<bool> differ(probabilities.size());
-  for (std::size_t i = 0; i < differ.size(); ++i) differ[i] = !alike[i] && probabilities[i] <= kChance;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    differ[b][a] = differ[a][b] = differ[a][b] && probabilities[i] <= kChance;
+  }
   return differ;
 }
 
@@ -307,16 +312,12 @@ void fill_pairs(const RankingGroup& group, Section& section) {
                               group.configurations.end());
   for (const double error : kHeadlineErrors) {
     const Costs costs = costs_to_error(group, time_axis(), error);
-    const std::vector<bool> differ = differences(costs);
-    const auto place = [&](std::size_t a, std::size_t b) {  // of a pair a < b among all
-      return a * (2 * costs.size() - a - 1) / 2 + b - a - 1;
-    };
+    const std::vector<std::vector<bool>> differ = differences(costs);
     for (std::size_t a = 0; a < costs.size(); ++a) {
       if (std::ranges::none_of(costs[a], [](double cost) { return std::isfinite(cost); })) continue;
       std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[a]};
       for (std::size_t b = 0; b < costs.size(); ++b)
-        row.push_back(a == b ? Cell("·")
-                             : pair_cell(costs[a], costs[b], differ[place(std::min(a, b), std::max(a, b))]));
+        row.push_back(a == b ? Cell("·") : pair_cell(costs[a], costs[b], differ[a][b]));
       section.table.rows.push_back(std::move(row));
     }
   }

@@ -132,10 +132,8 @@ std::optional<CurveStart> start_of(OrbitFamily& family, OrbitModel& model, const
 
 double energy_of_start(const OrbitModel& model, const CurveStart& start, const CurveUnits& units) {
   const Eigen::Index n = start.orbit.states() / 2;
-  return energy_of(model, {.time = 0.0,
-                           .state = {.u = units.displacement * start.orbit.x.head(n),
-                                     .v = units.velocity * start.orbit.x.segment(n, n)},
-                           .closed = start.orbit.closed});
+  return energy_of(model,
+                   {.time = 0.0, .state = state_of(start.orbit.x, n, units), .closed = start.orbit.closed});
 }
 
 Eigen::VectorXd frequencies_where(const ContactDynamics& dynamics, bool all_closed) {

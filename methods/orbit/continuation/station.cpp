@@ -42,11 +42,9 @@ Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
 
 OrbitGuess orbit_at(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
-  const CurveUnits& units = equations.family().units();
   const Eigen::Index n = orbit.states() / 2;
   OrbitGuess result{.start = {.time = equations.time_of(0.0),
-                              .state = {.u = units.displacement * orbit.x.head(n),
-                                        .v = units.velocity * orbit.x.segment(n, n)},
+                              .state = state_of(orbit.x, n, equations.family().units()),
                               .closed = orbit.closed},
                     .events = orbit.events,
                     .origin = "continuation"};

@@ -25,7 +25,7 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
   const FlowStructure& structure = model.dynamics.structure();
   const double omega = structure.frequency;
   const Eigen::Index n = model.dynamics.size();
-  State state{.u = units.displacement * x.head(n), .v = units.velocity * x.segment(n, n)};
+  State state = state_of(x, n, units);
   Eigen::VectorXd phases(orbit.count());
   double time = orbit.section / omega, shift = 0.0;
   const std::vector<bool>* closed = &orbit.closed;

@@ -23,10 +23,9 @@ FollowedQuantity::FollowedQuantity(const OrbitFamily& family, const std::optiona
 double FollowedQuantity::at(const ExtendedEquations& equations, const Eigen::VectorXd& x) const {
   if (!of_energy_) return x[x.size() - 1] * family_.units().parameter;
   const Eigen::Index n = equations.orbit().states() / 2;
-  return energy_of(equations.model(), {.time = 0.0,
-                                       .state = {.u = family_.units().displacement * x.head(n),
-                                                 .v = family_.units().velocity * x.segment(n, n)},
-                                       .closed = equations.orbit().closed});
+  return energy_of(
+      equations.model(),
+      {.time = 0.0, .state = state_of(x, n, family_.units()), .closed = equations.orbit().closed});
 }
 
 std::optional<StepTarget> FollowedQuantity::target(const std::vector<double>& values,

@@ -12,6 +12,10 @@
 
 namespace signorini {
 
+State state_of(const Eigen::VectorXd& x, Eigen::Index size, const CurveUnits& units) {
+  return {.u = units.displacement * x.head(size), .v = units.velocity * x.segment(size, size)};
+}
+
 std::vector<PlacedEvent> placed_events(const SequencedOrbit& orbit) {
   std::vector<PlacedEvent> placed;
   for (Eigen::Index i = 0; i < orbit.count(); ++i)

@@ -34,6 +34,9 @@ struct SequencedOrbit {
   [[nodiscard]] double end() const { return kTwoPi * order; }
 };
 
+/// (u_0, v_0) of unknowns x of a structure of `size` coordinates.
+State state_of(const Eigen::VectorXd& x, Eigen::Index size, const CurveUnits& units);
+
 /// An event with its phase after the section [rad].
 using PlacedEvent = std::pair<double, SequenceEvent>;
 /// Those of an orbit.
