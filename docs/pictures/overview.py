@@ -4,7 +4,7 @@
     python3 docs/pictures/overview.py [PROGRAM [FILE]]
 
 One scene in four panels: its schematic (`signorini show --plot`), its motion (`solve`), its response (`sweep`), all
-computed anew, and error against time from the records in results/quick. Needs Python alone. Colours follow the
+computed anew, and error against time from the records in results/catalogue. Needs Python alone. Colours follow the
 reader's choice of light or dark, as those of the schematic do, whose style is used for all."""
 
 import csv
@@ -188,7 +188,7 @@ def response(program):
 def errors():
     panel = Panel("Error against time, by method", (1e-5, 1.0), (1e-14, 1.0), "time of a solve [s]",
                   "relative error of x", logarithmic=True)
-    with open(ROOT / "results/quick/table.csv", newline="") as file:
+    with open(ROOT / "results/catalogue/table.csv", newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["scene"] == SCENE and row["certificate"] == "certified" and row["seconds_median"]]
     drawn = 0  # an error below ten error bars of the orbit is not measured but bounded by them
     for i, name in enumerate(CURVES):

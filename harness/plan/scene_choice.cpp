@@ -4,6 +4,7 @@
 #include <glob.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "harness/failure.hpp"
@@ -74,6 +75,7 @@ bool belongs(const Suite& suite, const SceneHeader& scene) {
 struct Candidate {
   SceneSource source;
   std::string name;
+  bool of_suite = true;
 };
 
 /// A source, or the instances that are asked for where it has ranges.
@@ -85,10 +87,10 @@ std::vector<SceneSource> drawn(const SceneSource& source, const Instances& insta
   return sources;
 }
 
-/// The scenes of a suite: files of its own, then those that ship.
+/// The scenes of a suite, files of its own, then those that ship, of which the suite's own stand first.
 std::vector<Candidate> candidates_of(const Suite& suite, std::span<const SceneSource> sources,
                                      const Instances& instances) {
-  std::vector<Candidate> candidates;
+  std::vector<Candidate> candidates, others;
   for (const std::string& file : suite.files) {
     for (const SceneSource& written : scene_files(file)) {
       for (const SceneSource& source : drawn(written, instances))
@@ -97,23 +99,39 @@ std::vector<Candidate> candidates_of(const Suite& suite, std::span<const SceneSo
   }
   for (const SceneSource& source : sources) {
     const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
-    if (belongs(suite, header)) candidates.push_back({source, header.name});
+    const bool of_suite = belongs(suite, header);
+    (of_suite ? candidates : others).push_back({source, header.name, of_suite});
   }
+  std::ranges::move(others, std::back_inserter(candidates));
   return candidates;
 }
 
-/// \throws NothingMatched for the first glob that takes none of the candidates
-void require_matches(const SceneFilter& filter, const std::vector<Candidate>& candidates,
-                     const Suite& suite) {
-  std::vector<std::string> names;
-  for (const Candidate& candidate : candidates) names.push_back(candidate.name);
+/// Leaves, of the candidates that are not of the suite, those that a glob asks for which takes none of the
+/// suite's. \throws NothingMatched for the first glob that takes none at all
+void keep_asked(const SceneFilter& filter, std::vector<Candidate>& candidates, const Suite& suite) {
+  const auto suite_ends = std::ranges::find(candidates, false, &Candidate::of_suite);
+  const auto taken_by = [](const std::string& glob) {
+    return [&glob](const Candidate& candidate) { return scene_glob_match(glob, candidate.name); };
+  };
+  std::vector<std::string> elsewhere;
   for (const std::string& glob : filter.globs()) {
-    const auto matches = [&](const std::string& name) { return scene_glob_match(glob, name); };
-    if (std::ranges::any_of(names, matches)) continue;
+    if (std::any_of(candidates.begin(), suite_ends, taken_by(glob))) continue;
+    elsewhere.push_back(glob);
+    if (std::any_of(suite_ends, candidates.end(), taken_by(glob))) continue;
+    std::vector<std::string> names;
+    for (const Candidate& candidate : candidates) names.push_back(candidate.name);
     throw NothingMatched(
-        fmt::format("scenes = {} (matches no scene of suite {}{}; see `signorini list scenes`)", glob,
-                    suite.name, suggestion(glob, names)));
+        fmt::format("scenes = {} (matches no scene of suite {} and none that ships{}; see `signorini list "
+                    "scenes`)",
+                    glob, suite.name, suggestion(glob, names)));
   }
+  candidates.erase(std::remove_if(suite_ends, candidates.end(),
+                                  [&](const Candidate& candidate) {
+                                    return std::ranges::none_of(elsewhere, [&](const std::string& glob) {
+                                      return scene_glob_match(glob, candidate.name);
+                                    });
+                                  }),
+                   candidates.end());
 }
 
 void require_distinct(const std::vector<Scene>& scenes) {
@@ -207,7 +225,8 @@ bool SceneFilter::takes(std::string_view name) const {
 }
 
 std::size_t count_scenes(const Suite& suite, std::span<const SceneSource> sources) {
-  return candidates_of(suite, sources, {.count = suite.instances}).size();
+  const std::vector<Candidate> candidates = candidates_of(suite, sources, {.count = suite.instances});
+  return static_cast<std::size_t>(std::ranges::count(candidates, true, &Candidate::of_suite));
 }
 
 std::vector<Scene> choose_scenes(const Suite& suite, const std::vector<std::string>& words,
@@ -219,8 +238,8 @@ std::vector<Scene> choose_scenes(const Suite& suite, const std::vector<std::stri
     for (const SceneSource& source : drawn(file, instances)) scenes.push_back(read_scene(source));
   }
   if (words.empty() || !filter.globs().empty() || filter.files().empty()) {
-    const std::vector<Candidate> candidates = candidates_of(suite, sources, instances);
-    require_matches(filter, candidates, suite);
+    std::vector<Candidate> candidates = candidates_of(suite, sources, instances);
+    keep_asked(filter, candidates, suite);
     const bool has_files = !suite.files.empty();
     for (const Candidate& candidate : candidates) {
       if (!filter.takes(candidate.name)) continue;

@@ -74,9 +74,10 @@ struct Instances {
 std::size_t count_scenes(const Suite& suite, std::span<const SceneSource> sources);
 
 /// The scenes that a filter names by path, in their order, then those of the suite that it takes, files of
-/// the suite's own first, the others in the order of `sources`. Two scenes of one name are refused: records
-/// could not tell them apart. Of a file with ranges as many instances as asked for. \throws NothingMatched
-/// for a glob without a scene, UsageError, SceneError
+/// the suite's own first, the others in the order of `sources`; last those that ship and no suite holds,
+/// where a glob takes none of the suite's. Two scenes of one name are refused: records could not tell them
+/// apart. Of a file with ranges as many instances as asked for. \throws NothingMatched for a glob without a
+/// scene, UsageError, SceneError
 std::vector<Scene> choose_scenes(const Suite& suite, const std::vector<std::string>& words,
                                  std::span<const SceneSource> sources, const Instances& instances = {});
 

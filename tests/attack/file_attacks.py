@@ -111,7 +111,7 @@ def descriptions(program, random, count, folder, findings):
 
 def run_folder(folder, random, most=12):
     """A small run: manifest and plan of a committed one, with some of its records."""
-    source = random.choice(["quick", "hard", "structures", "compensation"])
+    source = random.choice(["catalogue", "hard", "structures", "compensation"])
     run = folder / "run"
     shutil.rmtree(run, ignore_errors=True)
     run.mkdir()
@@ -194,8 +194,8 @@ def special_files(program, random, count, folder, findings):
     special = SpecialFiles(folder / "special")
     (folder / "scene.toml").write_bytes(MATRICES_SCENE)
     (folder / "whole").mkdir()
-    shutil.copy(TREE / "results/quick/records.jsonl", folder / "whole")
-    shutil.copy(TREE / "results/quick/manifest.json", folder / "whole")
+    shutil.copy(TREE / "results/catalogue/records.jsonl", folder / "whole")
+    shutil.copy(TREE / "results/catalogue/manifest.json", folder / "whole")
     kept = ["sweep", "sdof-stop", "--methods", "exact-orbit", "--from", "3", "--to", "3.1", "--out"]
     program.run([*kept, "kept"], folder, 60.0)
     places = {"x.toml": [["show", "./x.toml"], ["solve", "./x.toml", "--method", "hat-lcp"],

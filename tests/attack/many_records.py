@@ -30,7 +30,7 @@ from attacked_program import Program
 from load import METHODS, PER_SCENE, write_problems
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-RUNS = ("quick", "hard", "article", "ablation", "sensitivity", "structures")
+RUNS = ("catalogue", "hard", "article", "ablation", "sensitivity", "structures")
 MOST_MB = 2048.0
 MOST_PER_RECORD = 1500.0  # bytes; a whole record takes some 9 kB of memory
 SECONDS = 3600.0  # of the processor, for any call
@@ -68,7 +68,7 @@ class Writer:
     def __init__(self, folder, changes=None):
         folder.mkdir(parents=True)
         self.folder = folder
-        manifest = json.loads((ROOT / "results/quick/manifest.json").read_text())
+        manifest = json.loads((ROOT / "results/catalogue/manifest.json").read_text())
         (folder / "manifest.json").write_text(json.dumps(manifest | (changes or {})))
         self.records, self.plan = open(folder / "records.jsonl", "w"), open(folder / "plan.txt", "w")
 
@@ -175,7 +175,7 @@ def resume(calls, folder, count):
 def fill_records(folder):
     """A record for each case of the plan in FOLDER/resumed."""
     templates = {}
-    for record in committed("quick"):
+    for record in committed("catalogue"):
         if record["status"] == "converged":
             templates.setdefault(record["method"], []).append(record)
     source = random.Random(1)

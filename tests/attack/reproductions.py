@@ -94,14 +94,14 @@ def origin_far_away(attacked):
 
 def text_for_gnuplot(attacked):
     """Records whose texts are programs, or lead to another folder."""
-    lines = [json.loads(line) for line in (TREE / "results/quick/records.jsonl").read_text().splitlines()[:40]]
+    lines = [json.loads(line) for line in (TREE / "results/catalogue/records.jsonl").read_text().splitlines()[:40]]
     attempts = [("scene", "a'.system('touch PWN').'"), ("scene", "../../ESC"), ("scene", "`touch PWN`"),
                 ("word", "x'.system('touch${IFS}PWN').'"), ("word", '"; touch PWN; "'), ("word", "@PWN")]
     found = []
     for number, (member, text) in enumerate(attempts):
         run = attacked.folder / f"run-{number}"
         run.mkdir()
-        shutil.copy(TREE / "results/quick/manifest.json", run)
+        shutil.copy(TREE / "results/catalogue/manifest.json", run)
         changed = [dict(line, scene=text) if member == "scene" else dict(line, options=dict(line["options"], word=text))
                    for line in lines]
         (run / "records.jsonl").write_text("".join(json.dumps(line) + "\n" for line in changed))
@@ -308,8 +308,8 @@ def one_bad_line(attacked):
     """A line in the middle that is no record is left out with a warning; all others are there."""
     run = attacked.folder / "run"
     run.mkdir()
-    shutil.copy(TREE / "results/quick/manifest.json", run)
-    lines = (TREE / "results/quick/records.jsonl").read_bytes().splitlines(keepends=True)[:40]
+    shutil.copy(TREE / "results/catalogue/manifest.json", run)
+    lines = (TREE / "results/catalogue/records.jsonl").read_bytes().splitlines(keepends=True)[:40]
     (run / "records.jsonl").write_bytes(b"".join([*lines[:20], b"{ this is no record\n", *lines[20:]]))
     found = []
     for command in (["status", "run"], ["report", "run", "--format", "csv"]):

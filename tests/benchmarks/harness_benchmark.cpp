@@ -13,10 +13,10 @@
 namespace signorini {
 namespace {
 
-/// Every scene of the suite quick with enough settings of one method to make ten thousand cases, and their
+/// Every scene of the suite catalogue with enough settings of one method to make ten thousand cases, and their
 /// keys.
 void planning_ten_thousand_cases(benchmark::State& state) {
-  const Suite suite = load_suite("quick");
+  const Suite suite = load_suite("catalogue");
   constexpr int kSettings = 280;
   std::string methods = "hat-lcp[samples=";
   for (int i = 0; i < kSettings; ++i) methods += (i == 0 ? "" : "|") + std::to_string(64 + i);

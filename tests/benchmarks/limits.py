@@ -131,7 +131,7 @@ def exact_orbit(bench):
     methods = "exact-orbit[samples=64]:event-driven[flow=cvode|modal,tolerance=1e-6]"
     seconds = {}
     for program in bench.programs():
-        runs, _, _ = run_suite(program, "quick", "--methods", methods, "--seed", str(SEED))
+        runs, _, _ = run_suite(program, "catalogue", "--methods", methods, "--seed", str(SEED))
         seconds[program] = {name: record["seconds"]["min"] for name, record in runs.items()
                             if record["status"] == "converged" and record.get("certificate", {}).get("status") != "refuted"}
     rows = []
@@ -151,7 +151,7 @@ def exact_orbit(bench):
         own, other = ([pairs[bench.now][scene][k] for scene in sorted(scenes)] for k in (0, 1))
         ratio = geometric_mean([b / a for a, b in zip(own, other)])
         before = geometric_mean([pairs[bench.before][scene][0] for scene in sorted(scenes)]) if bench.before else None
-        rows.append(row("exact-orbit", f"exact-orbit on {len(scenes)} scenes of quick, geometric mean: {ratio:.3g} times as fast",
+        rows.append(row("exact-orbit", f"exact-orbit on {len(scenes)} scenes of catalogue, geometric mean: {ratio:.3g} times as fast",
                         name, geometric_mean(other), geometric_mean(own), before, f"{goal} times as fast", ratio >= goal))
     # The limit proper: one coarse problem on 64 nodes.
     coarse, _ = bench.whole("sdof-stop", "hat-lcp", samples=64, solver="pivoting")
@@ -216,7 +216,7 @@ def judge(bench):
 
     def measure(program, *more):
         """Least wall and processor time of three runs, the methods' own time, and the cases."""
-        runs = [run_suite(program, "quick", *options, *more) for _ in range(3)]
+        runs = [run_suite(program, "catalogue", *options, *more) for _ in range(3)]
         names = {frozenset(records) for records, _, _ in runs}
         if len(names) != 1 or not runs[0][0]:
             sys.exit("limits: a run has not all of its records")
@@ -235,7 +235,7 @@ def judge(bench):
             before = None
         else:
             gain = processor - own <= 0.5 * (before - own_before)
-    return [row("judge", f"{len(names)} cases of quick, one round, processor time of all processes", "the methods' own time", own,
+    return [row("judge", f"{len(names)} cases of catalogue, one round, processor time of all processes", "the methods' own time", own,
                 processor, before, "half of the judge's time saved", gain),
             row("judge", "the same with --jobs 2, wall time", "half the wall time of --jobs 1", wall / 2, both, None,
                 "1.8 times the cases", wall / both >= 1.8)]

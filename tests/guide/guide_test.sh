@@ -1,6 +1,6 @@
 #!/bin/sh
 # guide_test.sh TREE FOLDER BUILD: docs/adding-a-method.md, followed literally in a scratch copy of the tree, brings its method
-# into the quick table in under ten commands and touches nothing of the tree but two lines; docs/adding-a-scene.md holds too.
+# into the table of the catalogue in under ten commands and touches nothing of the tree but two lines; docs/adding-a-scene.md holds too.
 set -eu
 
 tree=$1
@@ -66,7 +66,7 @@ follow adding-a-method
 [ "$count" -lt 10 ] || fail "the page needs $count commands"
 
 table=$copy/results/local-my-method/table.md
-grep -q '^| sdof-far-stop .*| my-method\[harmonics=10\] .*| converged ' "$table" || fail 'the quick table lacks the method'
+grep -q '^| sdof-far-stop .*| my-method\[harmonics=10\] .*| converged ' "$table" || fail 'the table lacks the method'
 cases=$(wc -l <"$copy/results/local-my-method/records.jsonl")
 [ "$cases" -ge 2 ] || fail "the run has $cases cases"
 grep -q "^| my-method *| *$cases *|" "$table" || fail 'the summary lacks the method'

@@ -16,7 +16,7 @@ namespace {
 
 TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
   const std::filesystem::path root = test::data_folder() / "../..";
-  for (const std::string run : {"article", "hard", "quick", "responses", "structures"}) {
+  for (const std::string run : {"article", "catalogue", "hard", "responses", "structures"}) {
     const std::filesystem::path folder = root / "results" / run;
     const Evaluation evaluation = evaluation_of_run(folder, limits_of_run(folder));
     const std::vector<Section> sections = document_sections(run, evaluation);
@@ -31,11 +31,11 @@ TEST(Readme, ShowsTheTablesOfTheCommittedRecords) {
 
 TEST(Readme, ShowsTheVerdictAndTheResultsEveryTable) {
   const std::filesystem::path root = test::data_folder() / "../..";
-  EXPECT_NE(read_file(root / "README.md").find("<!-- table quick/verdict -->\n\n| scenes"),
+  EXPECT_NE(read_file(root / "README.md").find("<!-- table catalogue/verdict -->\n\n| scenes"),
             std::string::npos);
   const std::string results = read_file(root / "docs/results.md");
   for (const char* table :
-       {"quick/screen", "quick/summary", "article/time-to-error-1", "hard/breakdown-1e-01"})
+       {"catalogue/screen", "catalogue/summary", "article/time-to-error-1", "hard/breakdown-1e-01"})
     EXPECT_NE(results.find(std::string("<!-- table ") + table + " -->"), std::string::npos) << table;
 }
 

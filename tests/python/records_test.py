@@ -11,16 +11,16 @@ import numpy as np
 import signorini
 from signorini import BadInput, program
 
-QUICK = support.ROOT / "results" / "quick"
+CATALOGUE = support.ROOT / "results" / "catalogue"
 
 
 class Records(support.TemporaryFolder):
     def table(self):
-        with open(QUICK / "table.csv", newline="", encoding="utf-8") as file:
+        with open(CATALOGUE / "table.csv", newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
     def test_of_a_run_are_those_of_its_table(self):
-        records = signorini.load(QUICK)
+        records = signorini.load(CATALOGUE)
         rows = self.table()
         self.assertEqual(len(records), len(rows))
         self.assertEqual(sorted(record["case"] for record in records), sorted(row["case"] for row in rows))
@@ -53,7 +53,7 @@ class Records(support.TemporaryFolder):
 
     @unittest.skipUnless(support.installed("pandas"), "pandas is not installed")
     def test_make_a_frame_with_flat_columns(self):
-        frame = signorini.frame(QUICK)
+        frame = signorini.frame(CATALOGUE)
         rows = {row["case"]: row for row in self.table()}
         self.assertEqual(set(frame["case"]), set(rows))
         for _, one in frame[frame["status"] == "converged"].iterrows():

@@ -79,6 +79,15 @@ TEST_F(ChooseScenes, MixesOwnFilesWithNames) {
   EXPECT_EQ(names({one_.string()}), (Names{"one"})) << "nothing of the suite";
 }
 
+TEST_F(ChooseScenes, TakesOfOtherScenesWhatNoSceneOfTheSuiteMatches) {
+  suite_.scenes = {"alpha"};
+  EXPECT_EQ(names({}), (Names{"alpha"}));
+  EXPECT_EQ(names({"beta"}), (Names{"beta"}));
+  EXPECT_EQ(names({"beta:alpha"}), (Names{"alpha", "beta"}));
+  EXPECT_EQ(names({"*a"}), (Names{"alpha"})) << "the suite has a match of its own";
+  EXPECT_EQ(count_scenes(suite_, shipped_), 1U);
+}
+
 TEST_F(ChooseScenes, TakesFoldersAndGlobsOfFilesEachFileOnce) {
   EXPECT_EQ(names({(folder_ / "own").string()}), (Names{"one", "two"}));
   EXPECT_EQ(names({(folder_ / "own").string() + "/:" + one_.string()}), (Names{"one", "two"}));
@@ -107,7 +116,7 @@ TEST_F(ChooseScenes, TakesFilesThatASuiteNames) {
 
 TEST_F(ChooseScenes, RefusesWhatMatchesNothingAndSaysWhatIsNear) {
   EXPECT_EQ(refusal<NothingMatched>({"alpha:bta"}),
-            "scenes = bta (matches no scene of suite s; did you mean beta?; see `signorini list scenes`)");
+            "scenes = bta (matches no scene of suite s and none that ships; did you mean beta?; see `signorini list scenes`)");
   EXPECT_EQ(refusal<NothingMatched>({(folder_ / "own" / "x*.toml").string()}),
             "scenes = " + (folder_ / "own" / "x*.toml").string() + " (matches no file)");
   fs::create_directories(folder_ / "empty");

@@ -176,7 +176,7 @@ TEST(Screen, IsOneWhateverTheRun) {
   EXPECT_GE(lines_of(crowded).size(), kScreenLines - 1) << crowded;  // room is used
   expect_one_screen(screen_report(Evaluation(crowded_records(120)), kContext));
   expect_one_screen(screen_report(Evaluation(test::records_of_a_run()), kContext));
-  for (const char* run : {"article", "hard", "quick", "structures"}) {
+  for (const char* run : {"article", "catalogue", "hard", "structures"}) {
     const std::filesystem::path records = test::data_folder() / "../../results" / run / "records.jsonl";
     expect_one_screen(screen_report(Evaluation(read_records(records)), kContext));
   }
