@@ -118,8 +118,8 @@ ScreenLines stability_lines(const Evaluation& evaluation) {
   OutcomeCounts counts;
   for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
   if (counts.certified == 0) return {};
-  return wrapped_text("Certified motions: " +
-                      stability_text(counts.stable, counts.unstable, counts.certified));
+  return wrapped_text(fmt::format("Certified: an exact motion was found beside the answer ({}).",
+                                  stability_text(counts.stable, counts.unstable, counts.certified)));
 }
 
 /// What happened, in one or two sentences.

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <map>
 #include <span>
 #include <utility>
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -99,6 +102,95 @@ std::vector<std::vector<std::size_t>> share_out(std::span<const SceneGroup> grou
   return shown;
 }
 
+/// What the scenes of a kind have, as a sentence names it.
+std::string_view kind_words(SceneKind kind) {
+  switch (kind) {
+    case SceneKind::rigid_stop:
+      return "rigid stops";
+    case SceneKind::restitution:
+      return "restitution";
+    case SceneKind::spring:
+      return "springs";
+    case SceneKind::massless:
+      return "massless contacts";
+    case SceneKind::mixed_laws:
+      return "contacts of different laws";
+    case SceneKind::many_contacts:
+      return "many contacts";
+    case SceneKind::large_structure:
+      return "large structures";
+    case SceneKind::contact_free:
+      break;
+  }
+  return "motions without contact";
+}
+
+/// "a, b and c".
+std::string enumerated(const std::vector<std::string>& words) {
+  if (words.size() < 2) return joined(words, "");
+  return joined(std::span(words).first(words.size() - 1), ", ") + " and " + words.back();
+}
+
+/// What one method does on kinds of scenes, by one error.
+struct Advice {
+  const Standing* standing = nullptr;
+  std::vector<std::string> kinds = {};
+  std::size_t solved = 0, scenes = 0;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;  ///< medians of the kinds [s]
+
+  void add(const SceneGroup& group, const Standing& of) {
+    const Reach& reach = of.reach[kRankingError];
+    standing = &of;
+    kinds.emplace_back(kind_words(group.kind));
+    solved += reach.scenes;
+    scenes += group.scenes.size();
+    least = std::min(least, reach.median_seconds());
+    most = std::max(most, reach.median_seconds());
+  }
+
+  [[nodiscard]] std::string text() const {
+    const std::string from = time_text(least), to = time_text(most);
+    return fmt::format("For {} take {}: it comes within 1 % of the exact motion on {} of {} scenes, in {}.",
+                       enumerated(kinds), standing->configuration, solved, scenes,
+                       from == to ? from : from + " to " + to);
+  }
+};
+
+/// The recommendations as sentences, one for each method; what is the best of the others; what nothing
+/// solves.
+ScreenLines advice_lines(std::span<const SceneGroup> groups) {
+  std::vector<Advice> advice;
+  std::map<std::string, std::size_t> solved;  // of each configuration, over all groups
+  std::vector<std::string> unsolved;
+  std::size_t scenes = 0;
+  for (const SceneGroup& group : groups) {
+    if (group.is_too_small() || group.kind == SceneKind::contact_free) continue;
+    scenes += group.scenes.size();
+    for (const Standing& standing : group.standings)
+      solved[standing.configuration] += standing.reach[kRankingError].scenes;
+    const auto best = std::ranges::find(group.standings, true, &Standing::recommended);
+    if (best == group.standings.end()) {
+      unsolved.emplace_back(kind_words(group.kind));
+      continue;
+    }
+    auto place = std::ranges::find(advice, best->configuration,
+                                   [](const Advice& one) { return one.standing->configuration; });
+    if (place == advice.end()) place = advice.insert(advice.end(), Advice());
+    place->add(group, *best);
+  }
+  ScreenLines lines;
+  for (const Advice& one : advice) append(lines, wrapped_text(one.text()));
+  for (const Advice& one : advice) solved.erase(one.standing->configuration);
+  const auto next = std::ranges::max_element(solved, {}, &std::pair<const std::string, std::size_t>::second);
+  if (!advice.empty() && next != solved.end() && next->second > 0)
+    append(lines, wrapped_text(fmt::format("Of the others {} does so on the most: {} of {}.", next->first,
+                                           next->second, scenes)));
+  if (!unsolved.empty())
+    append(lines, wrapped_text(fmt::format("For {} no method comes within 1 % of a stable motion.",
+                                           enumerated(unsolved))));
+  return lines;
+}
+
 }  // namespace
 
 void append(ScreenLines& lines, ScreenLines more) {
@@ -132,6 +224,10 @@ ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {
   if (groups.empty()) return {};
   const Columns columns(groups);
   ScreenLines lines{{}};
+  if (ScreenLines advice = advice_lines(groups); !advice.empty()) {
+    append(lines, std::move(advice));
+    lines.emplace_back();
+  }
   append(lines, wrapped_text("Which method? " + std::string(kVerdictRule)));
   lines.push_back(columns.titles());
   constexpr std::size_t kMostOfTitle = 2;  // lines

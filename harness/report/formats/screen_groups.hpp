@@ -43,9 +43,10 @@ inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %
 /// or that the scenes are too few.
 std::string verdict_title(const SceneGroup& group);
 
-/// For each kind of scene a title with the methods that are recommended, and rows of methods, best first, as
-/// many as `most` lines hold; above them the rule. Of each method its best configuration gets room before any
-/// second one. Nothing where no scene has a kind.
+/// Sentences that say which method to take for which scenes; then for each kind of scene a title with the
+/// methods that are recommended, and rows of methods, best first, as many as `most` lines hold; above them
+/// the rule. Of each method its best configuration gets room before any second one. Nothing where no scene
+/// has a kind.
 ScreenLines group_lines(const Evaluation& evaluation, std::size_t most);
 
 /// The same of frequency responses, by kResponseRule, which stands below: as many methods of each kind as

@@ -60,7 +60,12 @@ TEST(Screen, SaysWhichMethodToTakeForWhichScenes) {
   EXPECT_EQ(screen_report(Evaluation(records_with_known_winners()), kContext),
             R"(14 cases run, 0 already there; records and manifest are in out
 4 scenes, 14 cases, 13 certified, 1 failed
-Certified motions: 1 unstable, 12 not determined
+Certified: an exact motion was found beside the answer (1 unstable, 12 not
+determined).
+
+For rigid stops take fast: it comes within 1 % of the exact motion on 3 of 3
+scenes, in 1 ms.
+Of the others exact does so on the most: 3 of 3.
 
 Which method? * Recommended: reaches an error of 1 % on the most scenes whose
 motion is stable; among equals, the fastest (ties within 10 %). A second *
@@ -115,6 +120,26 @@ TEST(Screen, RecommendsNobodyWhereAllFailed) {
   EXPECT_NE(screen.find("Failed or refuted: fast 7 of 7, exact 4 of 4, rough 3 of 3\n"), std::string::npos)
       << screen;
   expect_one_screen(screen);
+}
+
+TEST(Screen, SaysOnceWhatIsBestForSeveralKinds) {
+  std::vector<Record> records;
+  for (const auto& [kind, law] : {std::pair<std::string, RepresentedLaw>{"r", Restitution{1.0}},
+                                  {"e", Restitution{0.5}},
+                                  {"p", Penalty{{1e3}}}}) {
+    for (const char* scene : {"1", "2", "3"}) {
+      records.push_back(test::good_record(kind + scene, "fast", "n=1", 1e-3, kind == "e" ? 2e-3 : 1e-3));
+      if (kind == "p") records.back().status = Status::crashed;
+      records.back().scene_law = records.back().law = law;
+    }
+  }
+  const std::string screen = screen_report(Evaluation(records), kContext);
+  EXPECT_NE(
+      screen.find(
+          "For rigid stops and restitution take fast: it comes within 1 % of the exact motion on\n6 "
+          "of 6 scenes, in 1 ms to 2 ms.\nFor springs no method comes within 1 % of a stable motion.\n"),
+      std::string::npos)
+      << screen;
 }
 
 TEST(Screen, NamesAllThatTie) {
