@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,8 +13,10 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/plan/scene_choice.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/records/line_file.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/report/report.hpp"
@@ -122,6 +125,21 @@ SuiteRunResult run_missing(const RunArguments& arguments, const Plan& plan, Runn
                   [&](const std::vector<Record>& records) { lines.add(records); });
 }
 
+/// Where the results go: of a single scene of one's own into a folder of its name.
+std::filesystem::path folder_of(const RunArguments& arguments, const Suite& suite, const Plan& plan) {
+  const bool own = plan.scenes.size() == 1 && std::ranges::any_of(arguments.narrowing.scenes, names_path);
+  return arguments.out.value_or("results/local-" + (own ? plan.scenes.front().problem.name : suite.name));
+}
+
+/// What is about to happen, and what becomes of an earlier run there.
+void announce(const Plan& plan, const Limits& limits, const std::filesystem::path& folder, bool resume) {
+  fmt::print(stderr, "{} on {}, of at most {:g} s each; results go to {}\n",
+             plural(std::ssize(plan.cases), "case"), plural(std::ssize(plan.scenes), "scene"), limits.timeout,
+             folder.string());
+  if (!resume && std::filesystem::exists(folder / "records.jsonl"))
+    fmt::print(stderr, "the records of an earlier run there are kept as records.previous.jsonl\n");
+}
+
 int run_suite(const RunArguments& arguments) {
   const Suite suite = load_suite(arguments.suite);
   const Plan plan = plan_of(arguments, suite);
@@ -129,8 +147,9 @@ int run_suite(const RunArguments& arguments) {
     print_plan(plan);
     return kDone;
   }
-  const std::filesystem::path folder = arguments.out.value_or("results/local-" + suite.name);
+  const std::filesystem::path folder = folder_of(arguments, suite, plan);
   Runner runner(limits_of(arguments, suite));
+  announce(plan, runner.limits(), folder, arguments.resume);
   if (arguments.waveforms) runner.keep_waveforms();
   RecordStore store(folder, arguments.resume);
   const nlohmann::ordered_json manifest = manifest_of(arguments, suite, runner.limits(), plan);
@@ -180,10 +199,13 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
                  "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
   command
       .option("--scenes", arguments->narrowing.scenes,
-              "scenes of the suite by glob, A*:B*-C*, and files, folders or globs of files of one's own, "
+              "scenes of the suite by glob, A*:B*-C*, others that ship by name, and files, folders or globs "
+              "of files of one's own, "
               "own.toml:folder:'more/*.toml'; may be repeated")
       .one_word();
-  command.option("--out", arguments->out, "folder of the results; results/local-SUITE if absent");
+  command.option("--out", arguments->out,
+                 "folder of the results; results/local-SUITE if absent, of a single scene of one's own "
+                 "results/local-SCENE");
   command.flag("--resume", arguments->resume,
                "keep the records that are there, run what is missing or stale");
   command.option("--timeout", arguments->timeout, "processor time of one run [s]").check(positive_seconds);
