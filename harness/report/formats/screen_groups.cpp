@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <span>
 #include <utility>
 
@@ -156,18 +156,47 @@ struct Advice {
   }
 };
 
-/// The recommendations as sentences, one for each method; what is the best of the others; what nothing
-/// solves.
-ScreenLines advice_lines(std::span<const SceneGroup> groups) {
-  std::vector<Advice> advice;
-  std::map<std::string, std::size_t> solved;  // of each configuration, over all groups
-  std::vector<std::string> unsolved;
-  std::size_t scenes = 0;
+/// "The others do so on: hat-lcp 11 of 12, ...": of each further method the best configuration, best first,
+/// as far as two lines hold.
+ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<Advice>& advice) {
+  struct Solved {
+    std::string method, configuration;
+    std::size_t scenes = 0, of = 0;
+  };
+  std::vector<Solved> others;
   for (const SceneGroup& group : groups) {
-    if (group.is_too_small() || group.kind == SceneKind::contact_free) continue;
-    scenes += group.scenes.size();
-    for (const Standing& standing : group.standings)
-      solved[standing.configuration] += standing.reach[kRankingError].scenes;
+    for (const Standing& standing : group.standings) {
+      auto place = std::ranges::find(others, standing.configuration, &Solved::configuration);
+      if (place == others.end())
+        place = others.insert(others.end(), {standing.method, standing.configuration});
+      place->scenes += standing.reach[kRankingError].scenes;
+      place->of += group.scenes.size();
+    }
+  }
+  std::ranges::stable_sort(others, std::ranges::greater(), &Solved::scenes);
+  std::vector<std::string> seen, items;
+  for (const Advice& one : advice) seen.push_back(one.standing->method);
+  for (const Solved& one : others) {
+    if (one.scenes == 0 || std::ranges::find(seen, one.method) != seen.end()) continue;
+    seen.push_back(one.method);
+    items.push_back(fmt::format("{} {} of {}", one.configuration, one.scenes, one.of));
+  }
+  if (items.empty()) return {};
+  ScreenLines lines = wrapped_text("The others do so on: " + joined(items, ", ") + ".");
+  constexpr std::size_t kMostLines = 3;
+  lines.resize(std::min(lines.size(), kMostLines));
+  for (ScreenLine& line : lines) line.text = clipped(line.text, kScreenWidth);
+  return lines;
+}
+
+/// The recommendations as sentences, one for each method; what the others do; what nothing solves.
+ScreenLines advice_lines(std::vector<SceneGroup> groups) {
+  std::erase_if(groups, [](const SceneGroup& group) {
+    return group.is_too_small() || group.kind == SceneKind::contact_free;
+  });
+  std::vector<Advice> advice;
+  std::vector<std::string> unsolved;
+  for (const SceneGroup& group : groups) {
     const auto best = std::ranges::find(group.standings, true, &Standing::recommended);
     if (best == group.standings.end()) {
       unsolved.emplace_back(kind_words(group.kind));
@@ -180,11 +209,7 @@ ScreenLines advice_lines(std::span<const SceneGroup> groups) {
   }
   ScreenLines lines;
   for (const Advice& one : advice) append(lines, wrapped_text(one.text()));
-  for (const Advice& one : advice) solved.erase(one.standing->configuration);
-  const auto next = std::ranges::max_element(solved, {}, &std::pair<const std::string, std::size_t>::second);
-  if (!advice.empty() && next != solved.end() && next->second > 0)
-    append(lines, wrapped_text(fmt::format("Of the others {} does so on the most: {} of {}.", next->first,
-                                           next->second, scenes)));
+  if (!advice.empty()) append(lines, others_lines(groups, advice));
   if (!unsolved.empty())
     append(lines, wrapped_text(fmt::format("For {} no method comes within 1 % of a stable motion.",
                                            enumerated(unsolved))));

@@ -65,7 +65,7 @@ determined).
 
 For rigid stops take fast: it comes within 1 % of the exact motion on 3 of 3
 scenes, in 1 ms.
-Of the others exact does so on the most: 3 of 3.
+The others do so on: exact 3 of 3.
 
 Which method? * Recommended: reaches an error of 1 % on the most scenes whose
 motion is stable; among equals, the fastest (ties within 10 %). A second *

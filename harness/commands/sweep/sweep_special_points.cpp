@@ -4,7 +4,7 @@
 #include <string>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/commands/sweep_arguments.hpp"
+#include "harness/commands/sweep/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/isolation/isolation.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/commands/sweep_arguments.hpp"
+#include "harness/commands/sweep/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/deadline.hpp"
