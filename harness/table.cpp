@@ -80,29 +80,6 @@ std::string to_narrow_markdown(const Table& table) {
   return pipe_table(escaped_words(table), std::vector<std::size_t>(table.header.size(), 0));
 }
 
-std::string to_columns(const Table& table) {
-  std::string text;
-  std::vector<std::size_t> widths;
-  for (std::size_t c = 0; c < table.header.size(); ++c) {
-    widths.push_back(width(table.header[c]));
-    for (const auto& row : table.rows) widths[c] = std::max(widths[c], width(row[c].text));
-  }
-  const auto add_line = [&](const auto& word_of) {
-    std::string line;
-    for (std::size_t c = 0; c < widths.size(); ++c) {
-      const std::string& word = word_of(c);
-      const std::string blanks(widths[c] - width(word), ' ');
-      line += (c == 0 ? "" : "  ") + (table.is_numeric(c) ? blanks + word : word + blanks);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  };
-  add_line([&](std::size_t c) -> const std::string& { return table.header[c]; });
-  for (const auto& row : table.rows)
-    add_line([&](std::size_t c) -> const std::string& { return row[c].text; });
-  return text;
-}
-
 std::string csv_line(const std::vector<Cell>& row) {
   std::string text;
   for (std::size_t c = 0; c < row.size(); ++c) text += (c == 0 ? "" : ",") + quoted(row[c].text);

@@ -37,10 +37,6 @@ std::string to_markdown(const Table& table);
 /// The same without blanks for alignment, as README files hold it.
 std::string to_narrow_markdown(const Table& table);
 
-/// Columns two blanks apart, for a terminal: words at the left, numbers at the right of their column; no
-/// blanks at the ends of lines.
-std::string to_columns(const Table& table);
-
 /// A row of comma separated values with its break; quoted where RFC 4180 asks for it.
 std::string csv_line(const std::vector<Cell>& row);
 

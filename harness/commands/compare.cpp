@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 #include <memory>
+#include <string_view>
+#include <utility>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/compare/comparison.hpp"
 #include "harness/failure.hpp"
 #include "harness/table.hpp"
+#include "harness/text/columns.hpp"
 
 namespace signorini {
 
@@ -21,12 +25,20 @@ void print_methods(const std::vector<MethodTimes>& methods) {
                           fmt::format("{:.2g}", one.probability),
                           kVerdicts.at(static_cast<std::size_t>(one.verdict))});
   }
-  fmt::print("{}\n", to_markdown(table));
+  fmt::print("{}\n", to_columns(table, kTerminalWidth));
 }
 
 void print_changes(const Comparison& comparison) {
-  for (const CaseChange& change : comparison.changes)
-    fmt::print("{}: {}: {}\n", change_name(change.kind), change.case_id, change.detail);
+  constexpr int kMostAlike = 10;  // lines of one kind and detail: cases that one run lacks are many
+  std::map<std::pair<std::string_view, std::string>, int> counts;
+  for (const CaseChange& change : comparison.changes) {
+    const std::string_view kind = change_name(change.kind);
+    if (++counts[{kind, change.detail}] <= kMostAlike)
+      fmt::print("{}: {}: {}\n", kind, change.case_id, change.detail);
+  }
+  for (const auto& [alike, count] : counts)
+    if (count > kMostAlike)
+      fmt::print("{}: {} cases more: {}\n", alike.first, count - kMostAlike, alike.second);
   for (const std::string& remark : comparison.remarks) fmt::print("note: {}\n", remark);
   fmt::print("{} cases compared, {} of them timed, {} differences\n", comparison.cases, comparison.timed,
              comparison.changes.size());

@@ -7,6 +7,7 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/doctor/machine.hpp"
 #include "harness/table.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/json.hpp"
 
 namespace signorini {
@@ -21,7 +22,8 @@ void print_table(const std::vector<MachineProperty>& properties) {
   }
   const auto bad =
       std::count_if(properties.begin(), properties.end(), [](const MachineProperty& f) { return !f.good; });
-  fmt::print("{}\n{} of {} things make times unreliable here\n", to_markdown(table), bad, properties.size());
+  fmt::print("{}\n{} of {} things make times unreliable here\n", to_columns(table, kTerminalWidth), bad,
+             properties.size());
 }
 
 void print_json(const std::vector<MachineProperty>& properties) {

@@ -19,6 +19,7 @@
 #include "harness/plots/section_plot.hpp"
 #include "harness/progress.hpp"
 #include "harness/table.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
 #include "methods/structure/bases/condensation.hpp"

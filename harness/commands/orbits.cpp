@@ -15,6 +15,7 @@
 #include "harness/report/document/lines.hpp"
 #include "harness/summary/motion_summary.hpp"
 #include "harness/table.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
 

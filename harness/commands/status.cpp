@@ -9,6 +9,7 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/table.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/json.hpp"
 
 namespace signorini {
@@ -79,7 +80,7 @@ void print_table(const std::vector<NamedStatus>& statuses) {
                           std::to_string(s.failed), std::to_string(s.pending), std::to_string(s.stale),
                           rest_text(s)});
   }
-  fmt::print("{}", to_markdown(table));
+  fmt::print("{}", to_columns(table, kTerminalWidth));
   for (const Failure& failure : statuses.back().status.failures)
     fmt::print("{}: {}\n", status_name(failure.status), failure.case_id);
 }

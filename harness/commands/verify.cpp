@@ -17,6 +17,7 @@
 #include "harness/run_folder/run_folder.hpp"
 #include "harness/statistics.hpp"
 #include "harness/table.hpp"
+#include "harness/text/columns.hpp"
 
 namespace signorini {
 
@@ -41,7 +42,8 @@ void print_relative_times(const std::vector<RelativeTime>& times) {
     table.rows.push_back({method, std::to_string(ratios.first.size()), fmt::format("{:.3g}", kept),
                           fmt::format("{:.3g}", now), fmt::format("{:.2f}", now / kept)});
   }
-  fmt::print("\n{}\nTimes are medians over the scenes, reported and not judged.\n", to_markdown(table));
+  fmt::print("\n{}\nTimes are medians over the scenes, reported and not judged.\n",
+             to_columns(table, kTerminalWidth));
 }
 
 /// Runs the cases of a run again and prints what differs from its records. \return the exit code

@@ -6,6 +6,7 @@
 
 #include "harness/report/document/lines.hpp"
 #include "harness/sweep/free_motions.hpp"
+#include "harness/text/columns.hpp"
 
 namespace signorini {
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 namespace signorini {
 
@@ -18,6 +19,16 @@ std::string joined(std::span<const double> numbers, std::string_view format, std
   for (std::size_t i = 0; i < numbers.size(); ++i)
     text.append(i == 0 ? "" : between).append(fmt::format(fmt::runtime(format), numbers[i]));
   return text;
+}
+
+std::vector<std::string> wrapped_lines(const std::string& text, std::size_t width) {
+  std::istringstream words(text);
+  std::vector<std::string> lines(1);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > width) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
 }
 
 double rounded(double value, int digits) {

@@ -2,6 +2,7 @@
 // Words in one text and apart. Compiled once: fmt::join and the string algorithms of Boost take one to three
 // seconds wherever they are called.
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@ std::string joined(std::span<const double> numbers, std::string_view format, std
 
 /// What stands between the separators: one word more than there are separators, some of them empty.
 std::vector<std::string> split(std::string_view text, char separator);
+
+/// Broken at blanks into lines of at most `width` bytes; a word that is longer stands alone. At least one
+/// line.
+std::vector<std::string> wrapped_lines(const std::string& text, std::size_t width);
 
 /// A finite number rounded to so many significant decimal digits, as it is printed. Unchanged where that is
 /// beyond the largest number. \param digits  1..17

@@ -13,13 +13,6 @@ TEST(ToMarkdown, EscapesPipes) {
   EXPECT_NE(to_markdown({{"a"}, {{"x|y"}}}).find("x\\|y"), std::string::npos);
 }
 
-TEST(ToColumns, AlignsWordsLeftAndNumbersRight) {
-  const Table table{.header = {"name", "n"},
-                    .rows = {{"\u00b5", Cell("10", 10.0)}, {"longer", Cell("9", 9.0)}}};
-  EXPECT_EQ(to_columns(table), "name     n\n\u00b5       10\nlonger   9\n");
-  EXPECT_EQ(to_columns({.header = {"a", "b"}, .rows = {{"x", ""}}}), "a  b\nx\n");
-}
-
 TEST(NaturalLess, ComparesRunsOfDigitsAsNumbers) {
   EXPECT_TRUE(natural_less("n=9", "n=10"));
   EXPECT_FALSE(natural_less("n=10", "n=9"));

@@ -8,6 +8,7 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
+#include "harness/text/columns.hpp"
 
 namespace signorini {
 

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <sstream>
 #include <string_view>
+
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -23,16 +24,6 @@ std::string with_unit_signs(const std::string& text) {
       signs.replace(at, kPlain.size(), " µs");
   }
   return signs;
-}
-
-std::vector<std::string> wrapped_lines(const std::string& text, std::size_t width) {
-  std::istringstream words(text);
-  std::vector<std::string> lines(1);
-  for (std::string word; words >> word;) {
-    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > width) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-  }
-  return lines;
 }
 
 std::string named_lines(const std::string& name, std::size_t indent, const std::string& text,

@@ -13,9 +13,6 @@ std::string plural(std::ptrdiff_t count, const char* noun);
 /// Microseconds of time_text with their sign: "59.4 us, 17 of 17" as "59.4 µs, 17 of 17".
 std::string with_unit_signs(const std::string& text);
 
-/// Broken at blanks into lines of at most `width`; a word that is longer stands alone. At least one line.
-std::vector<std::string> wrapped_lines(const std::string& text, std::size_t width);
-
 /// The text beside a name, in lines of at most `width` that begin below each other in column `indent`, each
 /// ended: "law       rigid stops\n". A name of `indent` characters or more is not parted from the text.
 std::string named_lines(const std::string& name, std::size_t indent, const std::string& text,

@@ -13,6 +13,7 @@
 #include "harness/report/evaluation/hand_over.hpp"
 #include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/formats/screen_groups.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 

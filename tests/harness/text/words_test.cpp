@@ -31,6 +31,13 @@ TEST(Words, AreReplacedOnceFromTheLeft) {
   EXPECT_EQ(replaced("", "x", "y"), "");
 }
 
+TEST(Words, AreBrokenIntoLinesAtBlanks) {
+  EXPECT_EQ(wrapped_lines("one two  three\nfour", 9), (Words{"one two", "three", "four"}));
+  EXPECT_EQ(wrapped_lines("one two three", 13), (Words{"one two three"}));
+  EXPECT_EQ(wrapped_lines("a longestword b", 5), (Words{"a", "longestword", "b"}));
+  EXPECT_EQ(wrapped_lines("", 5), (Words{""}));
+}
+
 TEST(Numbers, AreRoundedToTheDigitsThatAreShownWhateverTheirSize) {
   EXPECT_EQ(rounded(1.23456, 3), 1.23);
   EXPECT_EQ(rounded(-0.0098765, 2), -0.0099);

@@ -19,13 +19,6 @@ TEST(WithUnitSigns, SpellsMicrosecondsAndNothingElse) {
   EXPECT_EQ(with_unit_signs("3 ms; as of us, 2 users"), "3 ms; as of us, 2 users");
 }
 
-TEST(WrappedLines, BreakAtBlanksAndFillEachLine) {
-  EXPECT_EQ(wrapped_lines("one two  three\nfour", 9), (Lines{"one two", "three", "four"}));
-  EXPECT_EQ(wrapped_lines("one two three", 13), (Lines{"one two three"}));
-  EXPECT_EQ(wrapped_lines("a longestword b", 5), (Lines{"a", "longestword", "b"}));
-  EXPECT_EQ(wrapped_lines("", 5), (Lines{""}));
-}
-
 TEST(NamedLines, BeginBelowEachOtherBesideTheName) {
   EXPECT_EQ(named_lines("law", 5, "one two three", 12), "law  one two\n     three\n");
   EXPECT_EQ(named_lines("none", 6, "", 12), "none  \n");
