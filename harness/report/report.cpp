@@ -43,7 +43,9 @@ void draw_all_figures(const fs::path& folder, const Evaluation& evaluation,
   constexpr std::size_t kAtATime = 500;
   std::vector<Figure> figures;
   for (const Section& section : sections)
-    if (const auto group = group_of(section)) figures.push_back(profile_figure(evaluation, *group, column));
+    if (const auto group = group_of(section))
+      for (const auto& draw : {profile_figure, distribution_figure})
+        figures.push_back(draw(evaluation, *group, column));
   for (const std::string& scene : evaluation.scenes()) {
     std::ranges::move(figures_of(evaluation, scene, column), std::back_inserter(figures));
     if (figures.size() < kAtATime) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -104,6 +105,16 @@ Costs costs_to_error(const RankingGroup& group, const CostAxis& axis, double err
     for (const ResolutionStudy* study : studies) row.push_back(cost_to_error(*study, axis, error).cost);
   }
   return costs;
+}
+
+Costs costs_to_targets(const RankingGroup& group, const CostAxis& axis) {
+  Costs all(group.configurations.size());
+  for (const double error : kErrorLevels) {
+    const Costs costs = costs_to_error(group, axis, error);
+    for (std::size_t c = 0; c < costs.size(); ++c) std::ranges::copy(costs[c], std::back_inserter(all[c]));
+  }
+  for (std::vector<double>& row : all) std::ranges::sort(row);
+  return all;
 }
 
 }  // namespace signorini

@@ -69,4 +69,8 @@ std::vector<RankingGroup> ranking_groups(
 /// Costs of all configurations of a group on all of its scenes.
 Costs costs_to_error(const RankingGroup& group, const CostAxis& axis, double error);
 
+/// Costs of all configurations of a group to each of its targets, a scene and one of kErrorLevels, each row
+/// ascending.
+Costs costs_to_targets(const RankingGroup& group, const CostAxis& axis);
+
 }  // namespace signorini

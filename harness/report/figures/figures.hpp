@@ -41,4 +41,7 @@ std::vector<Figure> response_figures(const Evaluation& evaluation, Column column
 /// Joint performance profiles [dolan2002] of the group at this place of Evaluation::groups, at three errors.
 Figure profile_figure(const Evaluation& evaluation, std::size_t group, Column column = Column::own);
 
+/// The empirical distribution function of the time to a target [hansen2021], of the group at this place.
+Figure distribution_figure(const Evaluation& evaluation, std::size_t group, Column column = Column::own);
+
 }  // namespace signorini

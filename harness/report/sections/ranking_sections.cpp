@@ -231,19 +231,15 @@ void fill_distribution(const RankingGroup& group, double limit, Section& section
   if (!is_timed(group)) return;
   constexpr std::array kTimes{1e-4, 1e-3, 1e-2, 1.0};  // [s]
   std::vector<std::string> titles;
-  std::vector<std::vector<double>> times(group.configurations.size());  // of all targets
-  for (const double error : kErrorLevels) {
-    titles.push_back(error_title(error));
-    const Costs costs = costs_to_error(group, time_axis(), error);
-    for (std::size_t c = 0; c < costs.size(); ++c) std::ranges::copy(costs[c], std::back_inserter(times[c]));
-  }
+  for (const double error : kErrorLevels) titles.push_back(error_title(error));
+  const Costs times = costs_to_targets(group, time_axis());
   section.text = fmt::format(kDistributionText, joined(titles, ", "));
   section.table.header = {"method"};
   for (const double time : kTimes) section.table.header.push_back(time_text(time));
   section.table.header.emplace_back("ever");
   for (std::size_t c = 0; c < times.size(); ++c) {
     const auto within = [&](double time) {
-      const auto reached = std::ranges::count_if(times[c], [&](double cost) { return cost <= time; });
+      const auto reached = std::ranges::upper_bound(times[c], time) - times[c].begin();
       return static_cast<double>(reached) / static_cast<double>(times[c].size());
     };
     std::vector<Cell> row{group.configurations[c]};
@@ -352,10 +348,13 @@ Sections mean_sections(const Evaluation& evaluation) {
 }
 
 Sections distribution_sections(const Evaluation& evaluation) {
-  return per_group(evaluation, "distribution", "Time to a target",
-                   [&](const RankingGroup& group, Section& section) {
-                     fill_distribution(group, evaluation.time_limit(), section);
-                   });
+  Sections sections = per_group(evaluation, "distribution", "Time to a target",
+                                [&](const RankingGroup& group, Section& section) {
+                                  fill_distribution(group, evaluation.time_limit(), section);
+                                });
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    sections[k].figures = {distribution_figure(evaluation, k)};
+  return sections;
 }
 
 Sections pairwise_sections(const Evaluation& evaluation) {

@@ -1,10 +1,14 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 #include "tests/harness/sample_records.hpp"
 
-namespace signorini::profile_figure_test {
+namespace signorini::share_figures_test {
 namespace {
 
 TEST(ProfileFigure, EndsEveryCurveAtTheShareSolved) {
@@ -27,5 +31,22 @@ TEST(ProfileFigure, StacksItsPanelsInASingleColumn) {
   EXPECT_NO_THROW((void)drawn(narrow, "svg"));
 }
 
+// Two methods at five errors on two scenes: ten targets each, of which a failure takes five away.
+TEST(DistributionFigure, StepsToTheShareOfTargetsReached) {
+  std::vector<Record> records = test::records_of_two_methods();
+  records[0].status = records[1].status = Status::timeout;  // a on s1
+  const Evaluation evaluation(records);
+  const Costs times = costs_to_targets(evaluation.groups()[0], time_axis());
+  const auto reached = std::ranges::count_if(times[0], [](double time) { return std::isfinite(time); });
+  ASSERT_EQ(times[0].size(), 10U);
+  EXPECT_GT(reached, 0);
+  EXPECT_LE(reached, 5);
+  const Figure figure = distribution_figure(evaluation, 0);
+  const std::string data = figure.data.substr(0, figure.data.find("\n\n"));
+  EXPECT_TRUE(data.starts_with("# a, all targets\n")) << data;
+  EXPECT_TRUE(data.ends_with(fmt::format(" {:.6f}", static_cast<double>(reached) / 10.0))) << data;
+  EXPECT_NO_THROW((void)drawn(figure, "svg"));
+}
+
 }  // namespace
-}  // namespace signorini::profile_figure_test
+}  // namespace signorini::share_figures_test
