@@ -100,7 +100,8 @@ std::vector<Candidate> candidates_of(const Suite& suite, std::span<const SceneSo
   for (const SceneSource& source : sources) {
     const SceneHeader header = load_header(source);  // first: a large scene takes time to assemble
     const bool of_suite = belongs(suite, header);
-    (of_suite ? candidates : others).push_back({source, header.name, of_suite});
+    if (of_suite || suite.responses.empty())  // else a name is that of a response
+      (of_suite ? candidates : others).push_back({source, header.name, of_suite});
   }
   std::ranges::move(others, std::back_inserter(candidates));
   return candidates;

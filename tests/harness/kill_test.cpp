@@ -25,7 +25,7 @@ pid_t start_run(const std::filesystem::path& folder) {
   const pid_t child = fork();
   if (child != 0) return child;
   if (freopen("/dev/null", "w", stdout) == nullptr || freopen("/dev/null", "w", stderr) == nullptr) _exit(99);
-  execl(binary.c_str(), binary.c_str(), "run", "quick", "--scenes", kScenes, "--methods", kMethods,
+  execl(binary.c_str(), binary.c_str(), "run", "catalogue", "--scenes", kScenes, "--methods", kMethods,
         "--resume", "--out", out.c_str(), nullptr);
   _exit(98);
 }

@@ -160,25 +160,30 @@ struct Advice {
 /// as far as two lines hold.
 ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<Advice>& advice) {
   struct Solved {
-    std::string method, configuration;
+    std::string configuration;
     std::size_t scenes = 0, of = 0;
+
+    [[nodiscard]] std::string method() const { return configuration.substr(0, configuration.find('[')); }
   };
   std::vector<Solved> others;
+  const auto add = [&](const std::string& configuration, const Standing& standing, const SceneGroup& group) {
+    auto place = std::ranges::find(others, configuration, &Solved::configuration);
+    if (place == others.end()) place = others.insert(others.end(), {configuration});
+    place->scenes += standing.reach[kRankingError].scenes;
+    place->of += group.scenes.size();
+  };
   for (const SceneGroup& group : groups) {
     for (const Standing& standing : group.standings) {
-      auto place = std::ranges::find(others, standing.configuration, &Solved::configuration);
-      if (place == others.end())
-        place = others.insert(others.end(), {standing.method, standing.configuration});
-      place->scenes += standing.reach[kRankingError].scenes;
-      place->of += group.scenes.size();
+      add(standing.configuration, standing, group);
+      for (const std::string& same : standing.same) add(same, standing, group);
     }
   }
   std::ranges::stable_sort(others, std::ranges::greater(), &Solved::scenes);
   std::vector<std::string> seen, items;
   for (const Advice& one : advice) seen.push_back(one.standing->method);
   for (const Solved& one : others) {
-    if (one.scenes == 0 || std::ranges::find(seen, one.method) != seen.end()) continue;
-    seen.push_back(one.method);
+    if (one.scenes == 0 || std::ranges::find(seen, one.method()) != seen.end()) continue;
+    seen.push_back(one.method());
     items.push_back(fmt::format("{} {} of {}", one.configuration, one.scenes, one.of));
   }
   if (items.empty()) return {};
@@ -245,8 +250,10 @@ std::string verdict_title(const SceneGroup& group) {
 }
 
 ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {
-  const std::vector<SceneGroup> groups = scene_groups(evaluation);
+  std::vector<SceneGroup> groups = scene_groups(evaluation);
   if (groups.empty()) return {};
+  if (!std::ranges::all_of(groups, &SceneGroup::is_too_small))  // they recommend nothing, and take room
+    std::erase_if(groups, [](const SceneGroup& group) { return group.is_too_small(); });
   const Columns columns(groups);
   ScreenLines lines{{}};
   if (ScreenLines advice = advice_lines(groups); !advice.empty()) {

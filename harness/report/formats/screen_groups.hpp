@@ -31,10 +31,9 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 
 /// The rule by which a method is recommended, as reports print it above their groups.
 inline constexpr std::string_view kVerdictRule =
-    "* Recommended: reaches an error of 1 % on the most scenes whose motion is stable; among equals, the "
-    "fastest (ties within 10 %). A second * misses one scene more and is faster. Each cell: median time to "
-    "that error of x and force, then number of scenes solved; - if half or more fail. Last column: unstable "
-    "motions among those solved to 10 %:";
+    "* Recommended: an error of 1 % on the most scenes with a stable motion, then the least time (ties "
+    "within 10 %); a second * misses one scene more and is faster. Each cell: median time to that error, "
+    "scenes solved; - if half or more fail. Last column: unstable motions among those solved to 10 %:";
 
 /// The titles of kGroupErrors.
 inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %", "1 %", "0.1 %", "1e-6"};
