@@ -23,7 +23,9 @@
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
 #include "methods/structure/bases/condensation.hpp"
+#include "methods/structure/unfelt_motions.hpp"
 #include "problems/files/text_lines.hpp"
+#include "problems/scene/scene_layout.hpp"
 
 namespace signorini {
 
@@ -60,10 +62,30 @@ struct Outcome {
   std::optional<FoundOrbit> orbit = {};  ///< where it is periodic and its orbit is certified
 };
 
+/// The scene that is followed: without rigid motions that no contact feels, along which deviations neither
+/// grow nor fade whatever the contacts do.
+class FollowedScene {
+ public:
+  explicit FollowedScene(const Problem& problem)
+      : problem_(problem), felt_(without_unfelt_motions(problem)) {}
+
+  [[nodiscard]] const Problem& problem() const { return felt_ ? felt_->problem : problem_; }
+  /// Whether the scene moves where that which is followed does not.
+  [[nodiscard]] bool moves_besides() const { return felt_ && felt_->driven; }
+  /// Of u or v of the whole scene.
+  [[nodiscard]] Eigen::VectorXd coordinates(const Eigen::VectorXd& whole) const {
+    return felt_ ? Eigen::VectorXd(felt_->of * whole) : whole;
+  }
+
+ private:
+  const Problem& problem_;
+  std::optional<WithoutUnfeltMotions> felt_;
+};
+
 /// One state per line, displacements and then velocities of all coordinates, at t = 0; "#" begins a comment.
 /// \throws UsageError that names the line
-std::vector<NamedState> states_of_file(const std::string& file, const EventFlow& flow,
-                                       const Problem& problem) {
+std::vector<NamedState> states_of_file(const std::string& file, const EventFlow& flow, const Problem& problem,
+                                       const FollowedScene& followed) {
   std::vector<NamedState> states;
   std::istringstream lines(read_file(file));
   const int size = problem.size();
@@ -86,8 +108,8 @@ std::vector<NamedState> states_of_file(const std::string& file, const EventFlow&
                       file, number, 2 * size, size, values.size()));
     }
     const Eigen::Map<const Eigen::VectorXd> all(values.data(), 2L * size);
-    const State whole{.u = all.head(size), .v = all.tail(size)};
-    const Eigen::VectorXd x = contact_directions(problem).transpose() * whole.u;
+    const Eigen::VectorXd x = contact_directions(problem).transpose() * all.head(size);
+    const State whole{.u = followed.coordinates(all.head(size)), .v = followed.coordinates(all.tail(size))};
     states.push_back({fmt::format("line {}", number), flow.place(0.0, flow.dynamics().with_mass(whole, x))});
   }
   if (states.empty()) throw UsageError(fmt::format("from-state = {} (must hold a state)", file));
@@ -96,12 +118,12 @@ std::vector<NamedState> states_of_file(const std::string& file, const EventFlow&
 
 /// Rest or the states of a file, then random ones.
 std::vector<NamedState> starts_of(const MotionArguments& arguments, const EventFlow& flow,
-                                  const Problem& problem) {
+                                  const Problem& problem, const FollowedScene& followed) {
   std::vector<NamedState> states;
   if (arguments.states.empty()) {
     states.push_back({"rest", flow.place(0.0, flow.dynamics().at_rest())});
   } else {
-    states = states_of_file(arguments.states, flow, problem);
+    states = states_of_file(arguments.states, flow, problem, followed);
   }
   for (int i = 0; i < arguments.starts; ++i)
     states.push_back({fmt::format("random state {}", i), random_state(flow, arguments.seed, i)});
@@ -148,7 +170,7 @@ Json stop_json(const StopStatistics& stop) {
           {"impacts_per_second", estimate_json(stop.impacts_per_second)},
           {"impulse_mean", optional_json(stop.impulse_mean)},
           {"impulse_deviation", optional_json(stop.impulse_deviation)},
-          {"power", estimate_json(stop.power)}};
+          {"power", optional_json(stop.power)}};
 }
 
 Json outcome_json(const Outcome& outcome) {
@@ -194,7 +216,7 @@ Table stop_table(const std::vector<StopStatistics>& stops) {
                           stop.force_rms ? text_of(*stop.force_rms) : std::string("impulses"),
                           text_of(stop.impacts_per_second),
                           stop.impulse_mean ? fmt::format("{:.4g}", *stop.impulse_mean) : std::string("-"),
-                          text_of(stop.power)});
+                          stop.power ? text_of(*stop.power) : std::string("-")});
   }
   return table;
 }
@@ -251,16 +273,18 @@ void write_files(const MotionArguments& arguments, const Problem& problem, const
 }
 
 int tell_motion(const MotionArguments& arguments) {
-  const Scene scene = read_scene(find_scene(arguments.scene));
+  const SceneSource source = find_scene(arguments.scene);
+  const Scene scene = read_scene(source);
   const Problem& problem = scene.problem;
   if (const std::string obstacle = flow_obstacle(problem); !obstacle.empty())
     throw UsageError(
         fmt::format("scene = {} (must be one that is followed through time: {})", problem.name, obstacle));
   watch_interrupts();
   const Deadline deadline = Deadline::after(arguments.timeout);
-  const ContactDynamics dynamics(problem);
+  const FollowedScene followed(problem);
+  const ContactDynamics dynamics(followed.problem());
   const EventFlow placing = placing_flow(dynamics);
-  const std::vector<NamedState> starts = starts_of(arguments, placing, problem);
+  const std::vector<NamedState> starts = starts_of(arguments, placing, problem, followed);
   std::vector<Outcome> outcomes;
   {
     const Waiting waiting("following " + problem.name);
@@ -269,7 +293,13 @@ int tell_motion(const MotionArguments& arguments) {
       const Deadline own = Deadline::after(std::max(0.0, share));
       outcomes.push_back({starts[i].name, starts[i].state,
                           follow_long_motion(dynamics, starts[i].state, arguments.options, own)});
-      outcomes.back().orbit = orbit_of(problem, outcomes.back().motion, own);
+      LongRun& verdict = outcomes.back().motion.verdict;
+      if (verdict == LongRun::at_rest && followed.moves_besides()) verdict = LongRun::periodic;
+      // The face of a damped stop does no work: what its damper takes is not measured.
+      std::vector<StopStatistics>& stops = outcomes.back().motion.stops;
+      for (const DampedStop& stop : load_damped_stops(source))
+        if (!stops.empty()) stops[static_cast<std::size_t>(stop.contact)].power.reset();
+      outcomes.back().orbit = orbit_of(followed.problem(), outcomes.back().motion, own);
     }
   }
   if (interrupted() || outcomes.empty()) return kInterrupted;

@@ -26,12 +26,14 @@ namespace {
 
 constexpr double kTolerance = 1e-10;  // of the flow's events [-]
 constexpr double kStill = 1e-9;       // of the scales: no motion [-]
+constexpr double kLarge = 10.0;       // of the scale of the motion: what grows beyond it may be unbounded [-]
 
-/// Whether sizes at the ends of parts, each twice as long as the one before, have grown to the last.
-bool keeps_growing(std::span<const double> sizes) {
+/// Whether sizes at the ends of parts, each twice as long as the one before, have grown to the last, which is
+/// larger than `large`.
+bool keeps_growing(std::span<const double> sizes, double large) {
   constexpr std::size_t kParts = 4;
-  constexpr double kGrowth = 1.5, kLarge = 10.0;
-  if (sizes.size() < kParts || !(sizes.back() > kLarge)) return false;
+  constexpr double kGrowth = 1.5;
+  if (sizes.size() < kParts || !(sizes.back() > large)) return false;
   const std::span<const double> last = sizes.last(kParts);
   return std::ranges::adjacent_find(
              last, [](double before, double after) { return !(after > kGrowth * before); }) == last.end();
@@ -48,11 +50,14 @@ double periods_to_fade(const ContactDynamics& dynamics) {
   return 1.0 / (slowest * dynamics.structure().forcing_period);
 }
 
-/// log |multiplier| / period, largest first. \param monodromy  over the period
+/// log |multiplier| / period, largest first; minus infinity where a multiplier is below the rounding of the
+/// matrix. \param monodromy  over the period
 std::vector<double> exponents_of(const Eigen::MatrixXd& monodromy, double period) {
+  constexpr double kRounding = 1e-14;  // of its norm
+  const double least = kRounding * monodromy.norm();
   std::vector<double> all;
   for (const std::complex<double>& multiplier : general_eigenvalues(monodromy))
-    all.push_back(std::log(std::abs(multiplier)) / period);
+    all.push_back(std::abs(multiplier) > least ? std::log(std::abs(multiplier)) / period : -kInfinity);
   std::ranges::sort(all, std::greater<>());
   return all;
 }
@@ -72,13 +77,16 @@ class LongMotionFollower {
     try {
       if (const std::optional<FixedPoint> orbit = settle()) {
         measure_orbit(*orbit);
-      } else if (!keeps_growing(sizes_)) {
+      } else if (!keeps_growing(sizes_, kLarge)) {
         measure();
       }
     } catch (const std::exception& error) {
       result_.reason = error.what();
     }
-    if (result_.verdict == LongRun::undecided && keeps_growing(sizes_)) tell_growth();
+    // A stop that is far away makes the scale large: what grows there has not yet come to it.
+    const bool torus = result_.verdict == LongRun::quasi_periodic;
+    if (keeps_growing(sizes_, torus ? 0.0 : kLarge) && (torus || result_.verdict == LongRun::undecided))
+      tell_growth();
     return std::move(result_);
   }
 
@@ -111,6 +119,7 @@ class LongMotionFollower {
   /// Stops give no energy: where dampers take it from every mode, no motion is unbounded.
   void tell_growth() {
     const double fading = periods_to_fade(flow_.dynamics());
+    result_.verdict = LongRun::undecided;
     result_.reason =
         fmt::format("after {} periods the state is {:.3g} times the scale of the motion, and grows",
                     map_.periods(), sizes_.back());
@@ -153,13 +162,18 @@ class LongMotionFollower {
     }
     result_.trajectory = std::make_shared<EventTrajectory>(period, orbit.start, std::move(turns[0].nodes),
                                                            std::move(turns[0].events));
-    result_.verdict = is_still(orbit) ? LongRun::at_rest : LongRun::periodic;
+    // A load may be zero at the beginning of each period: neither there nor elsewhere does anything move.
+    constexpr double kElsewhere = 0.2360679775;  // of a period
+    FlowState later = orbit.start;
+    FlowRecord unused;
+    flow_.advance(later, kElsewhere * map_.forcing_period(), unused);
+    result_.verdict = is_still(orbit.start) && is_still(later) ? LongRun::at_rest : LongRun::periodic;
   }
 
-  [[nodiscard]] bool is_still(const FixedPoint& orbit) const {
-    const Eigen::VectorXd scaled = map_.scaled(orbit.start.state);
+  [[nodiscard]] bool is_still(const FlowState& at) const {
+    const Eigen::VectorXd scaled = map_.scaled(at.state);
     const double length = flow_.dynamics().scales().displacement;
-    return scaled.tail(orbit.start.state.v.size()).lpNorm<Eigen::Infinity>() <= kStill &&
+    return scaled.tail(at.state.v.size()).lpNorm<Eigen::Infinity>() <= kStill &&
            std::ranges::all_of(result_.stops, [length](const StopStatistics& stop) {
              return stop.x_max - stop.x_min <= kStill * length;
            });

@@ -22,7 +22,8 @@ struct StopStatistics {
   Estimate impacts_per_second = {};  ///< [1/s]
   /// Mean impulse of an impact and its standard deviation from one to the next [N s]; empty without impacts.
   std::optional<double> impulse_mean = {}, impulse_deviation = {};
-  Estimate power = {};  ///< that the motion gives to the stop [W]
+  /// That the motion gives to the contact point [W]; empty where that is not known to be what the stop takes.
+  std::optional<Estimate> power = {};
 };
 
 /// Adds up what happens at the stops, period by period. Integrals between events are exact to the order of

@@ -89,16 +89,36 @@ std::vector<double> jump_times(const Motion& motion, const RepresentedLaw& law) 
   return times;
 }
 
+/// Instants that show each listed contact by several samples, at most a quarter of a million: those of the
+/// motion, or more of them.
+int resolving_count(const Motion& motion, const RepresentedLaw& law) {
+  constexpr double kSamples = 8.0;  // of the shortest contact
+  constexpr int kMost = 1 << 18;
+  int count = motion.count();
+  if (!motion.events || std::holds_alternative<Undetermined>(law)) return count;
+  double shortest = motion.period();
+  for (const ListedContact& listed : listed_contacts(*motion.events, motion.period()))
+    if (listed.end > listed.begin &&
+        !std::holds_alternative<Restitution>(law_of_contact(law, listed.contact)))
+      shortest = std::min(shortest, listed.end - listed.begin);
+  while (count < kMost && shortest * count < kSamples * motion.period()) count *= 2;
+  return count;
+}
+
 std::vector<DisplacementSummary> contact_displacements(const Trajectory& answer, const Motion& motion,
                                                        const RepresentedLaw& law, int harmonics) {
   std::vector<DisplacementSummary> all;
   const std::vector<double> jumps = jump_times(motion, law);
+  const int resolving = resolving_count(motion, law);
+  const Samples fine = resolving > motion.count() ? answer.sample(resolving) : Samples();
   const Eigen::MatrixXd nodal = answer.nodes() ? answer.sample(*answer.nodes()).x : Eigen::MatrixXd();
   for (Eigen::Index c = 0; c < motion.samples.x.cols(); ++c) {
     const SampledDisplacement sampled{motion.period(), motion.samples.x.col(c),
                                       motion.samples.velocity.col(c)};
-    const Extremes range =
-        answer.nodes() ? extremes({motion.period(), nodal.col(c), {}}, {}) : extremes(sampled, jumps);
+    const Extremes range = answer.nodes() ? extremes({motion.period(), nodal.col(c), {}}, {})
+                           : resolving > motion.count()
+                               ? extremes({motion.period(), fine.x.col(c), fine.velocity.col(c)}, jumps)
+                               : extremes(sampled, jumps);
     all.push_back(summary_of(sampled, range, std::min(harmonics, motion.bandwidth.value_or(harmonics))));
   }
   return all;

@@ -128,7 +128,8 @@ std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
   return apart;
 }
 
-/// m coordinates that hold R, Nd x m, in place: those of the largest pivots.
+}  // namespace
+
 std::vector<Eigen::Index> supports(Eigen::MatrixXd R) {
   std::vector<Eigen::Index> held;
   for (Eigen::Index k = 0; k < R.cols(); ++k) {
@@ -140,8 +141,6 @@ std::vector<Eigen::Index> supports(Eigen::MatrixXd R) {
   }
   return held;
 }
-
-}  // namespace
 
 Eigen::MatrixXd rigid_motions(const Problem& problem) {
   const SparseMatrix& K = problem.stiffness();

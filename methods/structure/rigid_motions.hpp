@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "methods/structure/contact_receptance.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
@@ -25,6 +26,9 @@ class NoPeriodicMotion : public std::runtime_error {
 /// frequency, where that is larger, eigenvalues to 1e-12: by all of them to 400 coordinates, by inverse
 /// iteration beyond. Where K has a skew part, R is of its symmetric part and of K both.
 Eigen::MatrixXd rigid_motions(const Problem& problem);
+
+/// m coordinates that hold R, Nd x m of rank m, in place: those of the largest pivots.
+std::vector<Eigen::Index> supports(Eigen::MatrixXd R);
 
 /// The scene with springs, w^2 M R R^T M at its base frequency w, on rigid motions of parts that hold no
 /// contact and that no element joins to one that does, or whose springs are below 1e-12 of w^2 M: what

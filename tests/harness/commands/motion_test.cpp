@@ -39,6 +39,52 @@ TEST(CommandMotion, TellsWhereEachStartSettles) {
   EXPECT_TRUE(motion["contacts"][0]["force_peak"].is_null()) << "impacts have no width";
 }
 
+// Two free bodies with a stop between them are one mass on the relative coordinate: m1 m2 / (m1 + m2), half
+// the load. Their common flight is neither a torus nor part of the exponents; "at rest" are they only
+// together.
+TEST(CommandMotion, OfTwoFreeBodiesIsThatOfTheirRelativeCoordinate) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("signorini-pair-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string pair =
+      "schema = 1\nsystem = { kind = \"chain\", masses = [1.0, 1.0], dampers = [0.0, 0.0], springs = [0.0, "
+      "0.0] }\n"
+      "contact = [{ between = [0, 1], gap = 0.2, restitution = 0.5 }]\nname = ";
+  const std::string load = "forcing = { frequency = 2.2, term = [{ dof = 0, cos = ",
+                    mean = "dof = 0, harmonic = 0, cos = 0.3 }";
+  std::ofstream(folder / "pair.toml")
+      << pair << "\"pair\"\n"
+      << load << "1.0 }, { " << mean << ", { dof = 1, harmonic = 0, cos = -0.3 }] }\n";
+  std::ofstream(folder / "pressed.toml")
+      << pair << "\"pressed\"\n"
+      << load << "0.3 }, { " << mean << ", { dof = 1, harmonic = 0, cos = -0.3 }] }\n";
+  std::ofstream(folder / "one.toml")
+      << "schema = 1\nname = \"one\"\nsystem = { kind = \"sdof\", mass = 0.5, damping = "
+         "0.0, stiffness = 0.0 }\n"
+      << load << "0.5 }, { " << mean << "] }\ncontact = [{ dof = 0, gap = 0.2, restitution = 0.5 }]\n";
+  const auto told = [&](const std::string& name) {
+    const Outcome outcome = run("motion --json " + (folder / (name + ".toml")).string());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  };
+  const Json one = told("one"), both = told("pair");
+  EXPECT_EQ(both["verdict"], "periodic");
+  EXPECT_EQ(both["order"], 2);
+  EXPECT_EQ(both["orbit"]["orbit"], one["orbit"]["orbit"]);
+  ASSERT_EQ(both["lyapunov"].size(), one["lyapunov"].size());
+  EXPECT_NEAR(both["lyapunov"][0]["value"].get<double>(), one["lyapunov"][0]["value"].get<double>(), 1e-9);
+  EXPECT_EQ(told("pressed")["verdict"], "periodic") << "together they swing with the load";
+  std::filesystem::remove_all(folder);
+}
+
+// The face of a damped stop rests on its rigid end while it is pressed: the work of the force there is not
+// that of the damper.
+TEST(CommandMotion, KnowsNoPowerOfADampedStop) {
+  const Outcome outcome = run("motion sdof-damped-stop --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(Json::parse(outcome.out)["contacts"][0]["power"].is_null());
+}
+
 TEST(CommandMotion, TakesStatesAndWritesTheFirstPeriods) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("signorini-motion-" + std::to_string(getpid()));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -48,6 +49,21 @@ TEST(CommandSolve, TellsTheErrorsOfHarmonicBalanceByItsOwnEquationsAndWithImpact
   };
   EXPECT_NEAR(error("fourier-lipschitz"), 0.1447807, 1e-7);
   EXPECT_NEAR(error("closed-hbm"), 0.0018078586759211867, 1e-12);
+}
+
+// A contact much shorter than a step of the samples: the mass, at the speed v, presses a spring by v / sqrt(k
+// / m).
+TEST(CommandSolve, TellsHowFarAStiffStopIsPressed) {
+  const auto file = test::fresh_folder("stiff") / "stiff.toml";
+  std::ofstream(file)
+      << "schema = 1\nname = \"stiff\"\nsystem = { kind = \"sdof\", mass = 1.0, damping = 0.1, stiffness = "
+         "1.0 }\nforcing = { frequency = 2.2, term = [{ dof = 0, cos = 1.0 }] }\n"
+         "contact = [{ dof = 0, gap = 0.0, penalty = 1e9 }]\n";
+  const Outcome outcome = run("solve --json --method exact-orbit " + file.string());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json motion = Json::parse(outcome.out)["motion"];
+  const double impulse = motion["contact_phases"][0]["impulse"].get<double>();  // 2 m v
+  EXPECT_NEAR(motion["x"][0]["max"].get<double>(), -0.5 * impulse / std::sqrt(1e9), 2e-8);
 }
 
 TEST(CommandSolve, NamesTheMethodThatHasAnOptionWhichIsNoLongerOneOfThisMethod) {

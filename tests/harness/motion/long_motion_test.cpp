@@ -52,7 +52,7 @@ law = { restitution = 0.9 })"),
   // What the stop takes is what the load gives less what the damper takes: positive, and known as a loss of
   // (1 - e) / (2 (1 + e)) J^2 / m at each impact.
   const double square = std::pow(*stop.impulse_mean, 2) + std::pow(*stop.impulse_deviation, 2);
-  EXPECT_NEAR(stop.power.value, 0.05 / 1.9 * square * stop.impacts_per_second.value, 1e-9);
+  EXPECT_NEAR(stop.power->value, 0.05 / 1.9 * square * stop.impacts_per_second.value, 1e-9);
 }
 
 // sdof-stop: the multipliers are a pair of modulus 0.866928 (docs/theory.md).
@@ -139,6 +139,28 @@ TEST(LongMotion, IsUnboundedAtAnUndampedResonance) {
 forcing = { frequency = 1.0, term = [{ dof = 0, cos = 1.0 }] }
 )"));
   EXPECT_EQ(found.motion.verdict, LongRun::unbounded) << found.motion.reason;
+}
+
+// The scale is that of the gap: the amplitude is far below it, and grows all the same.
+TEST(LongMotion, IsUnboundedAtAResonanceFarFromItsStop) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 1.0, damping = 0.0, stiffness = 1.0 }
+forcing = { frequency = 1.0, term = [{ dof = 0, cos = 1.0 }] }
+contact = [{ dof = 0, gap = 1e6 }]
+law = { penalty = 1.0 })"),
+             {.periods = 300});
+  EXPECT_EQ(found.motion.verdict, LongRun::unbounded) << found.motion.reason;
+}
+
+// Pressed together by forces that no contact lets go, two free bodies swing as one: at the beginning of each
+// period they stand still.
+TEST(LongMotion, IsNotAtRestWhereItStandsStillOnceAPeriod) {
+  const Followed found = follow(oscillator(
+      R"(system = { kind = "chain", masses = [1.0, 1.0], dampers = [0.0, 0.0], springs = [0.0, 0.0] }
+forcing = { frequency = 2.2, term = [{ dof = 0, cos = 0.3 }, { dof = 0, harmonic = 0, cos = 0.55 }, { dof = 1, harmonic = 0, cos = -0.55 }] }
+contact = [{ between = [0, 1], gap = 0.0 }]
+law = { restitution = 0.5 })"));
+  EXPECT_EQ(found.motion.verdict, LongRun::periodic) << found.motion.reason;
 }
 
 // With so little damping that the amplitude grows for 1e5 periods: it is bounded by F / (c omega).

@@ -41,7 +41,7 @@ TEST(StopSums, KnowsTheHalfWavesOfASpring) {
   ASSERT_TRUE(stop.impulse_mean && stop.impulse_deviation);
   EXPECT_NEAR(*stop.impulse_mean, 4.0, 1e-9);
   EXPECT_NEAR(*stop.impulse_deviation, 0.0, 1e-9);
-  EXPECT_NEAR(stop.power.value, 0.0, 1e-10) << "a spring gives back what it takes";
+  EXPECT_NEAR(stop.power->value, 0.0, 1e-10) << "a spring gives back what it takes";
 }
 
 // A mass of 3 that meets a rigid stop at 2 m/s and leaves at half of that: the impulse is 9 N s, the stop
@@ -62,7 +62,7 @@ TEST(StopSums, KnowsAnImpact) {
   EXPECT_FALSE(stop.force_rms || stop.force_peak) << "an impulse has no width";
   EXPECT_DOUBLE_EQ(stop.impulse_per_second.value, 4.5);
   EXPECT_DOUBLE_EQ(stop.impacts_per_second.value, 0.5);
-  EXPECT_DOUBLE_EQ(stop.power.value, 2.25);
+  EXPECT_DOUBLE_EQ(stop.power->value, 2.25);
   EXPECT_DOUBLE_EQ(stop.x_min, -2.0);
   EXPECT_DOUBLE_EQ(stop.x_max, 0.0);
 }
