@@ -88,7 +88,7 @@ Section verdict_section(const Evaluation& evaluation) {
   Section section{.id = "verdict", .title = "Which method?"};
   section.table.header = {"scenes", "method"};
   for (const char* error : kErrorTitles) section.table.header.push_back(fmt::format("to {}", error));
-  section.table.header.insert(section.table.header.end(), {"these motions are", "what decides"});
+  section.table.header.insert(section.table.header.end(), {"stability", "reason"});
   const auto add_words = [&](std::string first, std::string second) {
     section.table.rows.push_back({std::move(first), std::move(second), "-", "-", "-", "-", "-", "-"});
   };

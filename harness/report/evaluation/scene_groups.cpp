@@ -118,13 +118,13 @@ void recommend(std::vector<Contestant>& contestants) {
       sooner = &contestant;
     }
   }
-  first.reason = others ? "as many scenes as others, soonest" : "most scenes";
+  first.reason = others ? "most scenes, fastest" : "most scenes";
   if (sooner == nullptr) return;
   sooner->standing.recommended = true;
   const double seconds = ranking_reach(sooner->standing).median_seconds();
   sooner->standing.reason = std::isfinite(least)
-                                ? fmt::format("one scene fewer, {:.2g} times as fast", least / seconds)
-                                : std::string("one scene fewer, timed");
+                                ? fmt::format("one stable scene fewer, {:.2g} times as fast", least / seconds)
+                                : std::string("one stable scene fewer, timed");
 }
 
 /// Puts the contestants in order into their group.

@@ -119,8 +119,10 @@ ScreenLines stability_lines(const Evaluation& evaluation) {
   OutcomeCounts counts;
   for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
   if (counts.certified == 0) return {};
-  return wrapped_text(fmt::format("Certified: an exact motion was found beside the answer ({}).",
-                                  stability_text(counts.stable, counts.unstable, counts.certified)));
+  return wrapped_text(
+      fmt::format("Certified: an exact motion was found close to the answer ({}). Refuted: the "
+                  "answer is wrong. Unproven: neither.",
+                  stability_text(counts.stable, counts.unstable, counts.certified)));
 }
 
 /// What happened, in one or two sentences.

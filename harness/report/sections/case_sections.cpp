@@ -40,7 +40,7 @@ std::vector<Cell> study_row(const Evaluation& evaluation, const ResolutionStudy&
 
 /// Fills the table of a section with the studies of the scene's law, or of others.
 Section with_studies(const Evaluation& evaluation, bool another_law, Section section) {
-  section.table.header = {"scene", "method", "represents", "solved", "these motions are"};
+  section.table.header = {"scene", "method", "represents", "solved", "stability"};
   for (const double error : kErrorLevels) section.table.header.push_back(fmt::format("{:.0e}", error));
   Rows rows(section, "all are in measures.csv");
   for (const ResolutionStudy& study : evaluation.studies()) {

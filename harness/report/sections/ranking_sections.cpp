@@ -202,7 +202,7 @@ void fill_time_to_error(const RankingGroup& group, Section& section) {
   section.text = kTimeToErrorText;
   section.table.header = {"method"};
   for (const double error : kErrorLevels) section.table.header.push_back(error_title(error));
-  section.table.header.insert(section.table.header.end(), {"these motions are", "runs on another orbit"});
+  section.table.header.insert(section.table.header.end(), {"stability", "runs on another orbit"});
   for (std::size_t c = 0; c < group.configurations.size(); ++c) {
     std::vector<Cell> row{group.configurations[c]};
     for (const double error : kErrorLevels)

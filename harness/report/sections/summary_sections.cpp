@@ -205,7 +205,7 @@ Sections summary_sections(const Evaluation& evaluation) {
   Section section{.id = "summary", .title = "What is solved, how well, and how fast"};
   section.text = std::string(kSummaryText);
   if (!evaluation.times_remark().empty()) section.text += " " + evaluation.times_remark();
-  section.table.header = {"method", "solved", "these motions are", "error of x", "error of impulse"};
+  section.table.header = {"method", "solved", "stability", "error of x", "error of impulse"};
   for (const double error : kSummaryErrors) section.table.header.push_back(fmt::format("to {:.0e}", error));
   section.table.header.insert(section.table.header.end(), {"without contact", "under another law"});
   for (std::size_t place = 0; place < accounts.size(); ++place) {
@@ -244,7 +244,7 @@ Sections speed_sections(const Evaluation& evaluation) {
   section.text = kSpeedText;
   section.table.header = {"method",
                           "solved",
-                          "these motions are",
+                          "stability",
                           "error of x, median",
                           "error of impulse, median",
                           "time, median",

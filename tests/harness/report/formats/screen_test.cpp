@@ -60,8 +60,8 @@ TEST(Screen, SaysWhichMethodToTakeForWhichScenes) {
   EXPECT_EQ(screen_report(Evaluation(records_with_known_winners()), kContext),
             R"(14 cases run, 0 already there; records and manifest are in out
 4 scenes, 14 cases, 13 certified, 1 failed
-Certified: an exact motion was found beside the answer (1 unstable, 12 not
-determined).
+Certified: an exact motion was found close to the answer (1 unstable, 12 not
+determined). Refuted: the answer is wrong. Unproven: neither.
 
 For rigid stops take fast: it comes within 1 % of the exact motion on 3 of 3
 scenes, in 1 ms.
