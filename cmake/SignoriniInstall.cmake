@@ -5,12 +5,13 @@ include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/signorini)
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/signorini)
 
-install(DIRECTORY problems/catalogue problems/families problems/populations problems/suites
+install(DIRECTORY problems/catalogue problems/families problems/populations problems/published problems/suites
         DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini/problems)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(FILES docs/skill/SKILL.md DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(DIRECTORY problems methods DESTINATION ${headers} COMPONENT development FILES_MATCHING PATTERN "*.hpp"
-        PATTERN catalogue EXCLUDE PATTERN families EXCLUDE PATTERN populations EXCLUDE PATTERN suites EXCLUDE)
+        PATTERN catalogue EXCLUDE PATTERN families EXCLUDE PATTERN populations EXCLUDE PATTERN published EXCLUDE
+        PATTERN suites EXCLUDE)
 install(FILES ${interface_version} DESTINATION ${headers}/methods/plugin COMPONENT development)
 
 install(TARGETS signorini_build signorini_problems signorini_numerics signorini_methods EXPORT signorini
