@@ -1,7 +1,7 @@
 """Values of the published cases by formulas and integrators of their own: nothing here runs the program under test.
 
-A name of values.toml, `independent` or `reproduced`, is a function here, and its list the arguments. Functions that end in `_told` are of the publisher's own
-method, with its mistake or its step: they show where a published number comes from.
+A name of values.toml, `independent` or `reproduced`, is a function here, in modes.py or in rods.py, and its list the arguments. Functions that end
+in `_told` are of the publisher's own method, with its mistake or its step: they show where a published number comes from.
 """
 
 import functools

@@ -19,6 +19,7 @@ from pathlib import Path
 
 import modes
 import oracles
+import rods
 from flow import Flow, Stop
 
 HERE = Path(__file__).resolve().parent
@@ -137,7 +138,7 @@ def read(program, value):
 
 def call(function):
     name, *arguments = function
-    own = getattr(oracles, name, None) or getattr(modes, name)
+    own = next(getattr(module, name) for module in (oracles, modes, rods) if hasattr(module, name))
     return own(*(tuple(a) if isinstance(a, list) else a for a in arguments))
 
 
