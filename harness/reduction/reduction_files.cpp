@@ -67,8 +67,12 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
   for (const ForceTerm& term : reduced.force)
     text += fmt::format("\n[[forcing.term]]\ndof = {}\nharmonic = {}\ncos = {}\nsin = {}\n", term.dof,
                         term.harmonic, term.cos, term.sin);
-  for (const Contact& contact : reduced.contacts)
+  const bool mixed = std::holds_alternative<MixedLaws>(reduced.law());
+  for (const Contact& contact : reduced.contacts) {
     text += fmt::format("\n[[contact]]\ndof = {}\ngap = {}\n", contact.normal.front().first, contact.gap);
+    if (const auto* spring = std::get_if<Spring>(&contact.law); spring != nullptr && mixed)
+      text += fmt::format("penalty = {}\n", spring->stiffness);
+  }
   if (const Law scene_law = reduced.law(); const auto* spring = std::get_if<Penalty>(&scene_law))
     text += fmt::format("\n[law]\npenalty = {}\n", json_text(nlohmann::ordered_json(spring->stiffness)));
   return text;

@@ -33,12 +33,13 @@ class ContactDynamics {
   [[nodiscard]] bool rigid() const { return any_rigid_; }
   /// Whether that of this contact is.
   [[nodiscard]] bool rigid(int contact) const { return stops_->rigid(contact); }
+  /// Whether u'' or xi' jumps where this contact meets its stop, which is rigid or damped: before a spring
+  /// alone the motion is smooth there.
+  [[nodiscard]] bool halts(int contact) const { return rigid(contact) || structure_->relaxing() > 0; }
   /// e of a contact; 1 where it takes no impulses, or is none [-].
   [[nodiscard]] double restitution(int contact) const {
     return restitution_[static_cast<std::size_t>(contact)];
   }
-  /// e where all contacts have one law [-].
-  [[nodiscard]] double restitution() const { return restitution_.empty() ? 1.0 : restitution_.front(); }
   [[nodiscard]] int positions() const { return structure_->positions(); }  ///< Np, of u and xi
   [[nodiscard]] int states() const { return structure_->states(); }        ///< of (u, xi, v)
   /// The state of the coordinates with mass out of that of all, whose contacts are at x: xi = x - W^T u where

@@ -50,10 +50,8 @@ MarchGrid march_grid(const Problem& problem, int samples) {
 }
 
 std::string march_obstacle(const Problem& problem) {
-  if (has_impacts(problem))
-    return "a contact with mass and an impact law is another one in a reduced structure";
-  if (std::holds_alternative<MixedLaws>(problem.law())) return "contacts of different laws are not reduced";
-  return "";
+  return has_impacts(problem) ? "a contact with mass and an impact law is another one in a reduced structure"
+                              : "";
 }
 
 ContactMarch::ContactMarch(const ContactReduction& reduction, MarchGrid grid)

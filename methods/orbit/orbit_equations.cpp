@@ -232,10 +232,21 @@ Eigen::MatrixXd OrbitEquations::monodromy() const {
   // Up to here the instants were free; now they follow the state (theory.md, section 6).
   Eigen::MatrixXd P = jacobian_.topLeftCorner(states_, states_);
   P.diagonal().array() += 1.0;  // dP/dy_0 without the - y_0 of the closure
-  if (m_ == 0) return P;
-  const Eigen::MatrixXd instants = instants_by_state();
-  if (instants.size() == 0) return {};
-  return P + product(jacobian_.topRightCorner(states_, m_), instants);
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index i = 0; i < m_; ++i)
+    if (jumps(sequence_.events[static_cast<std::size_t>(i)])) moving.push_back(states_ + i);
+  if (moving.empty()) return P;
+  const Eigen::MatrixXd along = jacobian_(moving, moving);
+  if (along.diagonal().cwiseAbs().minCoeff() == 0.0) return {};
+  const Eigen::MatrixXd instants =
+      -lower_solve(along, Eigen::MatrixXd(jacobian_(moving, Eigen::seqN(0, states_))));
+  return P + product(Eigen::MatrixXd(jacobian_(Eigen::seqN(0, states_), moving)), instants);
+}
+
+// Whether u'' or xi' does at an event.
+bool OrbitEquations::jumps(const SequenceEvent& event) const {
+  const bool lets_go = event.kind == ContactEvent::Kind::open;
+  return lets_go ? model_.dynamics.rigid(event.contact) : model_.dynamics.halts(event.contact);
 }
 
 Eigen::MatrixXd OrbitEquations::instants_by_state() const {

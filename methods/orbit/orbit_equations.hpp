@@ -109,7 +109,8 @@ class OrbitEquations {
   /// m + 1 arcs: arc i ends at event i. The next evaluation changes them.
   [[nodiscard]] const std::vector<std::shared_ptr<LinearArc>>& arcs() const { return arcs_; }
   /// The Schur complement in scaled coordinates, Ns x Ns; empty if dh/dt is singular. Of impacts at one
-  /// instant that of their order in the sequence.
+  /// instant that of their order in the sequence. Events at which u'' and xi' are continuous are left out:
+  /// dP/dt is 0 of them, and dh/dt too where a phase of contact has no length.
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
   /// How the instants follow the state at the section, -(dh/dt)^-1 dh/dy_0, m x Ns in the scales; empty
   /// likewise.
@@ -133,6 +134,7 @@ class OrbitEquations {
   void differentiate_event(Eigen::Index i);
   void push(Eigen::Index i, bool derivatives);
   void differentiate_closure();
+  [[nodiscard]] bool jumps(const SequenceEvent& event) const;
 
   OrbitModel& model_;
   OrbitGuess sequence_;

@@ -169,7 +169,7 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   damping_ = columns.damping;
   load_ = columns.load;
   const SpaceProjection projection = take_whole();
-  sprung_ = std::holds_alternative<Penalty>(problem.law());
+  sprung_ = has_springs(problem);
   take_small(few ? std::move(small_) : reduction_on(columns, projection, small));
 }
 
@@ -336,7 +336,7 @@ ContactSpace ContactSpace::of(const Problem& problem) const {
   if (!obstacle().empty()) return result;
   result.load_.rates = load_columns(problem).rates;
   result.small_.rates = result.whole_.rates = result.load_.rates;
-  result.sprung_ = std::holds_alternative<Penalty>(problem.law());
+  result.sprung_ = has_springs(problem);
   result.take_law();
   return result;
 }

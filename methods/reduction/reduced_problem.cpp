@@ -49,8 +49,8 @@ ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& red
   if (result.obstacle.empty() && scene.contacts.empty()) result.obstacle = "it has no contact";
   if (result.obstacle.empty() && has_impacts(scene))
     result.obstacle = "a contact with mass and an impact law is another one in a reduced structure";
-  if (result.obstacle.empty() && std::holds_alternative<MixedLaws>(scene.law()))
-    result.obstacle = "contacts of different laws are not reduced";
+  if (result.obstacle.empty() && reduction.relaxation > 0.0 && std::holds_alternative<MixedLaws>(scene.law()))
+    result.obstacle = kMixedRelaxing;
   if (result.obstacle.empty() && !is_well_definite(reduction.compliance))
     result.obstacle = "the static residual at the contacts is not definite: fewer vectors are needed";
   if (!result.obstacle.empty()) return result;

@@ -8,6 +8,11 @@
 
 namespace signorini {
 
+/// Why springs beside massless contacts are not reduced: a spring has no static residual that relaxes, a
+/// massless contact is nothing without.
+inline constexpr const char* kMixedRelaxing =
+    "springs beside massless contacts are not reduced where the damping grows with the stiffness";
+
 /// A scene on few coordinates, or why there is none.
 struct ReducedProblem {
   std::string obstacle = {};  ///< one clause; empty: none
@@ -24,7 +29,7 @@ struct ReducedProblem {
 /// contact j.
 ///
 /// An obstacle: contacts with mass and an impact law, which the reduced structure does not represent
-/// (march_obstacle); a static residual C_m that is not definite to 1e-12 of its diagonal.
+/// (march_obstacle); kMixedRelaxing; a static residual C_m that is not definite to 1e-12 of its diagonal.
 ReducedProblem reduced_problem(const Problem& scene, const ContactReduction& reduction);
 
 }  // namespace signorini

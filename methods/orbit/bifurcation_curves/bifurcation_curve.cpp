@@ -166,7 +166,7 @@ class BifurcationCurveTracer {
       return shorten(0.5);
     append();
     const ExtendedEquations& orbits = special_->orbits();
-    finish(describe(guard, orbits.orbit(), orbits.model().dynamics.rigid()));
+    finish(describe(guard, orbits.orbit(), orbits.model().dynamics));
   }
 
   // As of a branch: an event that slid over the section would make the arcs run backwards.

@@ -66,6 +66,7 @@ Eigen::VectorXcd decisive_multipliers(const ExtendedEquations& equations,
 bool loses_nothing(const ExtendedEquations& equations) {
   const FlowStructure& structure = equations.model().dynamics.structure();
   if (structure.damping.nonZeros() > 0 && structure.damping.norm() > 0.0) return false;
+  if (structure.relaxing() > 0 && !equations.orbit().events.empty()) return false;  // by damped stops
   return std::all_of(equations.orbit().events.begin(), equations.orbit().events.end(),
                      [](const SequenceEvent& event) {
                        return std::all_of(event.restitution.begin(), event.restitution.end(),
@@ -166,8 +167,9 @@ bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
 
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
   constexpr double kDecided = 1e-9, kOnCircle = 1e-8, kGrazing = 1e-9;
-  for (std::size_t i = 0; equations.model().dynamics.rigid() && i < equations.orbit().events.size(); ++i) {
-    if (equations.orbit().events[i].kind != ContactEvent::Kind::open &&
+  for (std::size_t i = 0; i < equations.orbit().events.size(); ++i) {
+    const SequenceEvent& event = equations.orbit().events[i];
+    if (event.kind != ContactEvent::Kind::open && equations.model().dynamics.halts(event.contact) &&
         std::abs(equations.equations().crossings()[i].approach) <
             kGrazing * equations.family().units().velocity)
       return OrbitStability::undefined;

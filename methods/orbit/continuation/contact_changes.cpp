@@ -65,7 +65,9 @@ ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, c
   const int contact = guard.index;
   SequencedOrbit with_phase = with_contact_phase(orbit, contact, guard.phase);
   for (SequenceEvent& event : with_phase.events) {
-    if (!rigid || event.kind != ContactEvent::Kind::close || !event.pushed.empty()) continue;
+    if (!rigid || event.contact != contact || event.kind != ContactEvent::Kind::close ||
+        !event.pushed.empty())
+      continue;
     event.pushed = {contact};  // a rigid stop takes the speed of what comes to rest on it
     event.restitution = {0.0};
   }
@@ -85,7 +87,7 @@ ChangeOfSequence begin_phases(OrbitFamily& family, const SequencedOrbit& orbit,
   for (const GuardMaximum& maximum : survey(equations).maxima) {
     const OrbitGuard& guard = maximum.guard;
     const bool touch = guard.kind == GuardKind::clearance || guard.kind == GuardKind::pressure;
-    if (touch && guard.value < kTouches)
+    if (touch && guard.value < kTouches && !equations.model().dynamics.rigid(guard.index))
       with_phases = with_contact_phase(with_phases, guard.index, guard.phase);
   }
   const auto quiet = with_quiet_section(family, with_phases);
@@ -107,6 +109,65 @@ ChangeOfSequence begin_flight(OrbitFamily& family, const SequencedOrbit& orbit, 
       family, with_modes(with_events(orbit, std::move(placed))),
       [contact](const ExtendedEquations& at) { return shortest_phase(at, contact); },
       fmt::format("contact {} closes after a short flight", contact));
+}
+
+// From before the impact of another contact to after it, of the shortest phase of a contact that an impact
+// alone lies in.
+double shortest_around(const ExtendedEquations& equations, int contact) {
+  const SequencedOrbit& orbit = equations.orbit();
+  double shortest = orbit.end();
+  for (Eigen::Index i = 1; i + 1 < orbit.count(); ++i) {
+    if (event_of(orbit, i).contact != contact && event_of(orbit, i - 1).contact == contact &&
+        event_of(orbit, i + 1).contact == contact)
+      shortest = std::min(shortest, orbit.phase(i + 1) - orbit.phase(i - 1));
+  }
+  return shortest;
+}
+
+// A spring is reached, or lets go, at the impact of another contact, which turns its contact back: its force
+// has no jump there, and the motion goes on with a phase of contact, or a break of one, around the impact.
+ChangeOfSequence begin_around(OrbitFamily& family, const SequencedOrbit& orbit, const OrbitGuard& guard) {
+  const int contact = guard.index;
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  const auto impact = std::ranges::find(placed, guard.phase, &PlacedEvent::first);
+  if (impact == placed.end()) return {.obstacle = "the impact is not found"};
+  const bool closed = closed_before(orbit, contact, guard.phase);
+  using Kind = ContactEvent::Kind;
+  const auto event = [&](bool opens) {
+    return PlacedEvent{guard.phase,
+                       SequenceEvent{.kind = opens ? Kind::open : Kind::close, .contact = contact}};
+  };
+  placed.insert(placed.insert(impact, event(closed)) + 2, event(!closed));
+  return begin_at(
+      family, with_modes(with_events(orbit, std::move(placed))),
+      [contact](const ExtendedEquations& at) { return shortest_around(at, contact); },
+      fmt::format("contact {} presses, or opens, around the impact of another", contact));
+}
+
+// The event of a contact before an impact of another one, of which events i - 1 and i are two, where its next
+// one follows the impact at once; else empty.
+std::optional<Eigen::Index> around_impact(const SequencedOrbit& orbit, Eigen::Index i) {
+  constexpr double kNone = 1e-6;  // rad
+  for (const Eigen::Index impact : {i - 1, i}) {
+    if (impact == 0 || impact + 1 >= orbit.count() || event_of(orbit, impact).pushed.empty()) continue;
+    if (event_of(orbit, impact - 1).contact == event_of(orbit, impact + 1).contact &&
+        orbit.phase(impact + 1) - orbit.phase(impact - 1) < kNone)
+      return impact - 1;
+  }
+  return std::nullopt;
+}
+
+// The phase that began so has ended; its events are `first` and the one after the impact.
+ChangeOfSequence end_around(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index first) {
+  const int contact = event_of(orbit, first).contact;
+  return begin_at(
+      family, with_modes(without_event(without_event(orbit, first + 2), first)),
+      [contact](const ExtendedEquations& at) {
+        const OrbitSurvey found = survey(at);
+        const OrbitGuard* guard = found.find(GuardKind::corner, contact);
+        return guard == nullptr ? std::nan("") : guard->value;
+      },
+      fmt::format("contact {} stops pressing, or no longer opens, around the impact of another", contact));
 }
 
 // The flight between the impact before a closing and the closing has ended.
@@ -199,7 +260,9 @@ ChangeOfSequence cease_to_stick(OrbitFamily& family, const SequencedOrbit& orbit
 }
 
 // After an impact the contact rests, with no chatter between.
-bool keeps_no_speed(const ContactDynamics& dynamics) { return dynamics.restitution() == 0.0; }
+bool keeps_no_speed(const ContactDynamics& dynamics, int contact) {
+  return dynamics.restitution(contact) == 0.0;
+}
 
 // The event after i where it is of the same contact, of a kind, and at no distance; else empty.
 std::optional<Eigen::Index> followed_at_once(const SequencedOrbit& orbit, Eigen::Index i,
@@ -216,13 +279,19 @@ ChangeOfSequence past_coincidence(OrbitFamily& family, const SequencedOrbit& orb
                                   const ContactDynamics& dynamics) {
   const SequenceEvent &a = event_of(orbit, i - 1), &b = event_of(orbit, i);
   const bool one = a.contact == b.contact;
-  if (!dynamics.rigid()) return one ? end_phase(family, orbit, i) : exchange(family, orbit, i);
+  if (one && !dynamics.rigid(b.contact)) return end_phase(family, orbit, i);
+  if (!one && dynamics.halts(a.contact) != dynamics.halts(b.contact)) {
+    const auto first = around_impact(orbit, i);
+    return first ? end_around(family, orbit, *first) : exchange(family, orbit, i);
+  }
+  const bool unfelt = !dynamics.halts(a.contact) || dynamics.stops().coupling()(a.contact, b.contact) == 0.0;
+  if (!one && !dynamics.rigid(b.contact) && unfelt) return exchange(family, orbit, i);
   using Kind = ContactEvent::Kind;
   if (one && a.kind == Kind::close && b.kind == Kind::open && a.pushed.size() == 1)
     return cease_to_stick(family, orbit, i);
-  if (one && a.kind == Kind::impact && b.kind == Kind::close && keeps_no_speed(dynamics))
+  if (one && a.kind == Kind::impact && b.kind == Kind::close && keeps_no_speed(dynamics, b.contact))
     return end_flight(family, orbit, i);
-  if (one && a.kind == Kind::open && b.kind == Kind::close && keeps_no_speed(dynamics))
+  if (one && a.kind == Kind::open && b.kind == Kind::close && keeps_no_speed(dynamics, b.contact))
     return end_phase(family, orbit, i);
   const bool impacts = a.kind == ContactEvent::Kind::impact && b.kind == ContactEvent::Kind::impact;
   if (!one && impacts && coupling_of(dynamics.structure(), a, b) != ImpactCoupling::mass)
@@ -230,7 +299,14 @@ ChangeOfSequence past_coincidence(OrbitFamily& family, const SequencedOrbit& orb
   return {.obstacle = one ? "not followed" : "an end"};
 }
 
-// Of changes at rigid stops.
+// That a guard is of.
+int contact_of(const OrbitGuard& guard, const SequencedOrbit& orbit) {
+  const bool of_contact = guard.kind == GuardKind::clearance || guard.kind == GuardKind::pressure ||
+                          guard.kind == GuardKind::corner;
+  return of_contact ? guard.index : event_of(orbit, guard.index).contact;
+}
+
+// Of changes at rigid stops, and at damped ones whose forces feel each other.
 std::string why_not_followed(const OrbitGuard& guard) {
   switch (guard.kind) {
     case GuardKind::pressure:
@@ -253,14 +329,15 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
   ExtendedEquations equations(family, orbit);
   if (!equations.evaluate(orbit.x)) return {.obstacle = "the orbit cannot be evaluated"};
   const ContactDynamics& dynamics = equations.model().dynamics;
-  const bool rigid = dynamics.rigid();
+  const int contact = contact_of(guard, orbit);
+  const bool rigid = dynamics.rigid(contact);
   if (curve.branch.ended.starts_with(kChatterLimit))
     return {.obstacle = "infinitely many impacts graze there; an end"};
   switch (guard.kind) {
     case GuardKind::clearance:
     case GuardKind::pressure:
       if (!rigid && !family.driven()) return begin_phases(family, orbit, equations);
-      if (!rigid || (guard.kind == GuardKind::pressure && keeps_no_speed(dynamics)))
+      if (!rigid || (guard.kind == GuardKind::pressure && keeps_no_speed(dynamics, contact)))
         return begin_phase(family, orbit, guard, rigid);
       break;
     case GuardKind::interval:
@@ -271,7 +348,7 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
       const bool closing = event_of(orbit, guard.index).kind == ContactEvent::Kind::close;
       const auto met = closing ? nearer_event(orbit, guard.index) : std::nullopt;
       if (met && !rigid) return end_phase(family, orbit, *met);
-      if (met && keeps_no_speed(dynamics)) return past_coincidence(family, orbit, *met, dynamics);
+      if (met && keeps_no_speed(dynamics, contact)) return past_coincidence(family, orbit, *met, dynamics);
       break;
     }
     case GuardKind::release:
@@ -280,11 +357,13 @@ ChangeOfSequence past_change(OrbitFamily& family, const TracedCurve& curve) {
       if (event_of(orbit, guard.index).pushed.size() == 1) return begin_to_stick(family, orbit, guard.index);
       break;
     case GuardKind::landing:
-      if (!keeps_no_speed(dynamics) || event_of(orbit, guard.index).pushed.size() != 1) break;
+      if (!keeps_no_speed(dynamics, contact) || event_of(orbit, guard.index).pushed.size() != 1) break;
       if (const auto opening = followed_at_once(orbit, guard.index, ContactEvent::Kind::open))
         return cease_to_stick(family, orbit, *opening);
       return begin_flight(family, orbit, guard.index);
     case GuardKind::corner:
+      if (!dynamics.halts(contact)) return begin_around(family, orbit, guard);
+      break;
     case GuardKind::together:
       break;
   }

@@ -20,11 +20,12 @@ struct ChangeOfSequence {
 
 /// The orbits on the other side of the end of a curve whose guard is no grazing of a rigid stop:
 ///
-/// - events of two contacts exchanged: impacts that do not feel each other (G_ij = 0), or any events of
-///   compliant or massless contacts, whose vector field is continuous;
-/// - at a compliant stop or a massless contact a phase of contact, or a break of one, that begins with length
-/// 0
-///   or has ended with it;
+/// - events of two contacts exchanged: impacts that do not feel each other (G_ij = 0), or any event with one
+///   of a spring or an undamped massless contact, where the vector field is continuous; of damped stops those
+///   whose forces do not feel each other (C_ij = 0);
+/// - at a stop that is not rigid a phase of contact, or a break of one, that begins with length 0 or has
+/// ended
+///   with it, at the impact of another contact too;
 /// - at a rigid stop without restitution an impact after which the contact sticks, or does so no more.
 ///
 /// Precondition: curve.guard.

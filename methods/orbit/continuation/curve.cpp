@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "methods/orbit/continuation/grazing_starts.hpp"
 #include "methods/orbit/continuation/hidden_bifurcations.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
@@ -35,8 +36,8 @@ std::string why_rejected(const ExtendedEquations& equations, const CurveStart& s
   for (const OrbitGuard& guard : next.survey.guards) {
     const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
     if (guard.value >= kViolated || before == nullptr || before->value > kArmed) continue;
-    why = "not admissible beside its start: " +
-          describe(guard, equations.orbit(), equations.model().dynamics.rigid());
+    why =
+        "not admissible beside its start: " + describe(guard, equations.orbit(), equations.model().dynamics);
   }
   if (start.leaves == LeftBranch::repetition &&
       of_least_period(equations.orbit(), equations).order < equations.orbit().order)
@@ -88,7 +89,7 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
   constexpr double kBrief = 5e-5, kReach = 4.0, kBeyond = 1.5;  // rad; of the step refused; of L
   SequencedOrbit orbit = equations.orbit();
   orbit.x = here.x;  // the equations may have been left elsewhere
-  if (here.tracked.empty() || equations.model().dynamics.rigid()) return std::nullopt;
+  if (here.tracked.empty()) return std::nullopt;
   double shortest = kBrief;
   Eigen::VectorXd along;
   for (Eigen::Index i = 1; i < orbit.count(); ++i) {
@@ -96,7 +97,8 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
     const Eigen::Index row = orbit.states() + i;
     const double length = orbit.phase(i) - orbit.phase(i - 1);
     const double rate = here.tangent[row] - here.tangent[row - 1];
-    const bool one = orbit.events[later].contact == orbit.events[later - 1].contact;
+    const int contact = orbit.events[later].contact;
+    const bool one = contact == orbit.events[later - 1].contact && !equations.model().dynamics.halts(contact);
     if (!one || !(length < shortest) || !(-rate * kReach * refused > length)) continue;
     shortest = length;
     along = Eigen::VectorXd::Unit(here.x.size(), row - 1) - Eigen::VectorXd::Unit(here.x.size(), row);
@@ -127,12 +129,12 @@ std::string why_order_matters(const ExtendedEquations& equations, const OrbitGua
 // The end of a curve at the zero of a guard.
 SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& guard,
                        const SolutionPoint& point) {
-  const bool rigid = equations.model().dynamics.rigid();
-  const bool grazes = rigid && is_grazing(guard, equations.orbit());
+  const bool grazes = is_grazing(guard, equations);
   const std::string limit = ends_chatter(equations, guard) ? std::string(kChatterLimit) + ": " : "";
   return {.kind = grazes ? SpecialKind::grazing : SpecialKind::contact_change,
           .point = point,
-          .text = limit + describe(guard, equations.orbit(), rigid) + why_order_matters(equations, guard)};
+          .text = limit + describe(guard, equations.orbit(), equations.model().dynamics) +
+                  why_order_matters(equations, guard)};
 }
 
 // What the step from a point does not decide.
@@ -372,12 +374,6 @@ class Tracer {
 };
 
 }  // namespace
-
-bool is_grazing(const OrbitGuard& guard, const SequencedOrbit& orbit) {
-  if (guard.kind == GuardKind::clearance) return true;
-  return guard.kind == GuardKind::approach &&
-         orbit.events[static_cast<std::size_t>(guard.index)].kind == ContactEvent::Kind::impact;
-}
 
 TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits,
                         const std::optional<ParameterRange>& energies) {

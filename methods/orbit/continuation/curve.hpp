@@ -70,8 +70,4 @@ struct TracedCurve {
 TracedCurve trace_curve(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits,
                         const std::optional<ParameterRange>& energies = {});
 
-/// Whether a guard's zero at a rigid stop is an impact's fading or a new contact: the motion on either side
-/// is a grazing one.
-bool is_grazing(const OrbitGuard& guard, const SequencedOrbit& orbit);
-
 }  // namespace signorini

@@ -10,6 +10,7 @@
 #include "methods/continuation/interval_gaps.hpp"
 #include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/contact_changes.hpp"
+#include "methods/orbit/continuation/grazing_starts.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/continuation/switching.hpp"
 #include "methods/orbit/family/chatter.hpp"
@@ -219,7 +220,7 @@ class DiagramTracer {
     if (!equations.evaluate(curve.last.x)) return;
     const OrbitMark end = mark_of(equations);
     ends_.push_back(end);
-    if (equations.model().dynamics.rigid() && is_grazing(*curve.guard, curve.last)) return graze(curve, end);
+    if (is_grazing(*curve.guard, equations)) return graze(curve, end);
     if (contains(changed_, end)) return;
     changed_.push_back(end);
     ChangeOfSequence change = past_change(family_, curve);

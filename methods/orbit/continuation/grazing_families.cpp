@@ -29,11 +29,16 @@ bool represents_its_class(const std::vector<int>& hits, int touches, int passage
   return true;
 }
 
+// Whether an event marks a passage alone.
+bool is_passage(const SequenceEvent& event) {
+  return event.kind == ContactEvent::Kind::impact && event.pushed.empty();
+}
+
 // What follows an impulse at one touch.
 struct TouchResponse {
-  Eigen::MatrixXd monodromy;      // from the touch, 2 Nd x 2 Nd
-  Eigen::VectorXd impulse;        // the state right after a unit impulse, 2 Nd
-  Eigen::MatrixXd displacements;  // of all touches until the touch comes again, K x 2 Nd
+  Eigen::MatrixXd monodromy;      // from the touch, Ns x Ns
+  Eigen::VectorXd impulse;        // the state right after a unit impulse, Ns
+  Eigen::MatrixXd displacements;  // of all touches until the touch comes again, K x Ns
 };
 
 // The other touches as events that push nothing, in the order in which they follow.
@@ -58,7 +63,7 @@ Eigen::RowVectorXd displacement_row(ExtendedEquations& marked, Eigen::Index i,
   Eigen::RowVectorXd row = J.row(orbit.states() + i).head(orbit.states());
   Eigen::Index own = 0;
   for (Eigen::Index l = 0; l < i; ++l) {
-    if (!orbit.events[static_cast<std::size_t>(l)].pushed.empty())
+    if (!is_passage(orbit.events[static_cast<std::size_t>(l)]))
       row += J(orbit.states() + i, orbit.states() + l) * instants.row(own++);
   }
   return row * marked.model().dynamics.scales().displacement;
@@ -72,17 +77,23 @@ std::optional<TouchResponse> response_to(OrbitFamily& family, const SequencedOrb
   const SequencedOrbit marked = with_passages(there, touches, from);
   ExtendedEquations own(family, there), all(family, marked);
   if (!own.evaluate(there.x) || !all.evaluate(marked.x)) return std::nullopt;
-  const Eigen::Index states = there.states(), n = states / 2, m = there.count();
+  const ContactDynamics& dynamics = own.model().dynamics;
+  const Eigen::Index states = there.states(), n = dynamics.size(), m = there.count();
   const auto count = static_cast<Eigen::Index>(touches.size());
   TouchResponse result{.monodromy = own.monodromy(),
                        .impulse = Eigen::VectorXd::Zero(states),
                        .displacements = Eigen::MatrixXd::Zero(count, states)};
   if (result.monodromy.rows() != states || !result.monodromy.allFinite()) return std::nullopt;
-  const FlowStructure& structure = own.model().dynamics.structure();
+  const FlowStructure& structure = dynamics.structure();
   const int contact = touches[from].contact;
+  auto own_displacement = result.displacements.row(static_cast<Eigen::Index>(from));
   result.impulse.tail(n) = structure.velocity_per_impulse.col(contact) / family.units().velocity;
-  result.displacements.row(static_cast<Eigen::Index>(from)).head(n) =
-      structure.directions.col(contact).transpose() * family.units().displacement;
+  own_displacement.head(n) = structure.directions.col(contact).transpose() * family.units().displacement;
+  if (structure.relaxing() > 0) {  // what pushes a damped stop moves its face at once
+    result.impulse.segment(n, structure.relaxing()) =
+        structure.massless_compliance.col(contact) / (structure.relaxation * family.units().displacement);
+    own_displacement[n + contact] = family.units().displacement;
+  }
   Eigen::MatrixXd instants(m, states);
   if (m > 0) {
     const Eigen::MatrixXd& J = own.jacobian();
@@ -90,7 +101,7 @@ std::optional<TouchResponse> response_to(OrbitFamily& family, const SequencedOrb
   }
   std::size_t touch = from;
   for (Eigen::Index i = 0; i < marked.count(); ++i) {
-    if (!marked.events[static_cast<std::size_t>(i)].pushed.empty()) continue;
+    if (!is_passage(marked.events[static_cast<std::size_t>(i)])) continue;
     touch = (touch + 1) % touches.size();
     result.displacements.row(static_cast<Eigen::Index>(touch)) = displacement_row(all, i, instants);
   }

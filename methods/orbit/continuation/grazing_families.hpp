@@ -1,5 +1,5 @@
 #pragma once
-// Which families of impacting orbits begin where an orbit grazes rigid stops.
+// Which families of impacting orbits begin where an orbit grazes rigid or damped stops.
 
 #include <Eigen/Core>
 #include <optional>
@@ -37,13 +37,15 @@ struct GrazingFamily {
 ///
 ///     J >= 0,    C J - delta >= 0,    J . (C J - delta) = 0,
 ///
-/// for delta = +- the rates of the touches. Restitution does not enter. Found by enumerating supports, up to
+/// for delta = +- the rates of the touches. Restitution does not enter. A damped stop that is touched to a
+/// depth p takes the impulse p / G, G = C_jj / beta, and its face is left behind by p: w_b has the column of
+/// C over beta too, which moves the face, and h_a is of the face. Found by enumerating supports, up to
 /// kMostPassages passages, primitive ones, one of each class of rotations.
 ///
 /// The indices of the solutions, sign det C_SS, with 1 for the orbit without impact where it clears all
 /// stops, have equal sums on both sides: the fixed points of the return map cannot vanish one by one.
 ///
-/// \param base     the orbit without the grazing impacts, at its least period, no contact closed
+/// \param base     the orbit without the grazing impacts, at its least period, no rigid stop pressed
 /// \param touches  phases ascending
 /// \return empty where a response to the own impulse vanishes: to first order nothing can be said
 std::optional<std::vector<GrazingFamily>> grazing_families(OrbitFamily& family, const SequencedOrbit& base,

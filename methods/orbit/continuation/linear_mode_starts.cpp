@@ -77,9 +77,10 @@ RestBesideStops rest_of(OrbitModel& model) {
   for (std::size_t tries = 0; tries <= 2 * contacts + 2; ++tries) {
     RestBesideStops rest = rest_with(model, closed);
     if (!rest.obstacle.empty() || (rest.room.array() >= 0.0).all()) return rest;
-    if (model.dynamics.rigid()) return {.obstacle = "a rigid stop is pressed at rest"};
     for (std::size_t j = 0; j < contacts; ++j) {
-      if (rest.room[static_cast<Eigen::Index>(j)] < 0.0) closed[j] = !closed[j];
+      if (rest.room[static_cast<Eigen::Index>(j)] >= 0.0) continue;
+      if (model.dynamics.rigid(static_cast<int>(j))) return {.obstacle = "a rigid stop is pressed at rest"};
+      closed[j] = !closed[j];
     }
   }
   return {.obstacle = "no state of rest is found"};
@@ -105,7 +106,7 @@ SequencedOrbit with_beginnings(SequencedOrbit orbit, const std::vector<int>& rea
   std::vector<PlacedEvent> impacts;
   for (const int j : reached) {
     const double phase = (amplitudes[j] > 0.0 ? 0.5 : 1.5) * std::numbers::pi;
-    if (dynamics.rigid())
+    if (dynamics.rigid(j))
       impacts.emplace_back(phase, SequenceEvent{.kind = ContactEvent::Kind::impact,
                                                 .contact = j,
                                                 .pushed = {j},
@@ -131,9 +132,9 @@ std::optional<CurveStart> start_of(OrbitFamily& family, OrbitModel& model, const
 }
 
 double energy_of_start(const OrbitModel& model, const CurveStart& start, const CurveUnits& units) {
-  const Eigen::Index n = start.orbit.states() / 2;
-  return energy_of(model,
-                   {.time = 0.0, .state = state_of(start.orbit.x, n, units), .closed = start.orbit.closed});
+  return energy_of(
+      model,
+      {.time = 0.0, .state = state_of(start.orbit.x, model.dynamics, units), .closed = start.orbit.closed});
 }
 
 Eigen::VectorXd frequencies_where(const ContactDynamics& dynamics, bool all_closed) {

@@ -20,7 +20,7 @@ class ImpactBalance {
       : structure_(model.dynamics.structure()),
         contact_(contact),
         period_(order * structure_.forcing_period),
-        e_(model.dynamics.restitution()) {
+        e_(model.dynamics.restitution(contact)) {
     const auto free = contact_free_motion(model);
     const std::vector<bool> open(static_cast<std::size_t>(structure_.contact_count()), false);
     flow_ = &model.flows.of(open);
@@ -131,7 +131,7 @@ class ImpactBalance {
 std::vector<SequencedOrbit> one_impact_orbits(OrbitFamily& family, double parameter, int contact, int order) {
   constexpr int kSamples = 256;
   const auto model = family.model(parameter);
-  if (!model->dynamics.rigid()) return {};
+  if (!model->dynamics.rigid(contact)) return {};
   const ImpactBalance balance(*model, contact, order);
   if (!balance.defined()) return {};
   const FlowStructure& structure = model->dynamics.structure();

@@ -42,12 +42,12 @@ Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
 
 OrbitGuess orbit_at(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
-  const Eigen::Index n = orbit.states() / 2;
-  OrbitGuess result{.start = {.time = equations.time_of(0.0),
-                              .state = state_of(orbit.x, n, equations.family().units()),
-                              .closed = orbit.closed},
-                    .events = orbit.events,
-                    .origin = "continuation"};
+  OrbitGuess result{
+      .start = {.time = equations.time_of(0.0),
+                .state = state_of(orbit.x, equations.model().dynamics, equations.family().units()),
+                .closed = orbit.closed},
+      .events = orbit.events,
+      .origin = "continuation"};
   for (Eigen::Index i = 0; i < orbit.count(); ++i)
     result.events[static_cast<std::size_t>(i)].time = equations.time_of(orbit.phase(i));
   return result;
@@ -66,7 +66,8 @@ SolutionPoint solution_point(const ExtendedEquations& equations, const Station& 
   }
   point.stability = stability_of(equations, point.multipliers);
   for (const SequenceEvent& event : equations.orbit().events) {
-    const bool closes = event.kind == ContactEvent::Kind::close && !equations.model().dynamics.rigid();
+    const bool closes =
+        event.kind == ContactEvent::Kind::close && !equations.model().dynamics.rigid(event.contact);
     if (event.kind == ContactEvent::Kind::impact || closes) ++point.impacts;
   }
   if (point.stability == OrbitStability::undefined) point.multipliers.resize(0);
@@ -109,8 +110,12 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
       const auto same = guard_of(at, guard.kind, guard.index);
       return same ? std::optional(same->value) : std::nullopt;
     };
-    // Where another one is zero this one still holds: it comes later.
-    if (first && value(equations).value_or(0.0) > 0.0) continue;
+    // Where another one is zero this one still holds: it comes later. Where a contact with a damped stop
+    // fades those passages clear it by the square of the way that do not touch it: to rounding.
+    const ContactDynamics& dynamics = equations.model().dynamics;
+    const bool squared =
+        guard.kind == GuardKind::clearance && dynamics.halts(guard.index) && !dynamics.rigid(guard.index);
+    if (first && value(equations).value_or(0.0) > (squared ? kViolated : 0.0)) continue;
     // What had no maximum before, or is no larger than rounding, gets its sign inside the step.
     const bool positive = before != nullptr && before->value > 0.0;
     const auto zero = locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value,

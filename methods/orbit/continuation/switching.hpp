@@ -1,5 +1,5 @@
 #pragma once
-// Where a branch ends or doubles: the starts of those that leave it.
+// Where a branch doubles or is crossed: the starts of those that leave it.
 
 #include <optional>
 #include <string>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "methods/orbit/continuation/curve.hpp"
-#include "methods/orbit/continuation/grazing_families.hpp"
 
 namespace signorini {
 
@@ -51,25 +50,5 @@ std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbi
 /// \param across  its unit tangent
 std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
                                        const Eigen::VectorXd& across);
-
-/// An orbit that grazes rigid stops, without the impacts.
-struct GrazingOrbit {
-  SequencedOrbit base = {};                ///< at its least period
-  std::vector<GrazingTouch> touches = {};  ///< phases ascending
-  OrbitMark mark = {};                     ///< of it
-  std::string obstacle = {};  ///< why nothing is known of what begins there, one clause; else empty
-};
-
-/// The orbit behind the end of a curve by `approach` of an impact or by `clearance`, without all the impacts
-/// that fade there.
-std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve& curve);
-
-/// The orbit without impact, on the side where it clears the stop that it touches first.
-std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& grazing);
-
-/// Families of impacting orbits that begin at a grazing, each on the side where its impacts grow; empty where
-/// the first order does not tell.
-std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
-                                                       int max_order);
 
 }  // namespace signorini

@@ -30,7 +30,8 @@ double closed_for(const SequencedOrbit& orbit, Eigen::Index i) {
 // comes first.
 std::optional<SequencedOrbit> with_one_more(const ExtendedEquations& equations, const ChatterEnd& end) {
   const SequencedOrbit& orbit = equations.orbit();
-  const double e = equations.model().dynamics.restitution();
+  const int contact = orbit.events[static_cast<std::size_t>(end.closing)].contact;
+  const double e = equations.model().dynamics.restitution(contact);
   const double phase =
       orbit.phase(end.closing) + equations.frequency() * 2.0 * e * end.speed / end.acceleration;
   const Eigen::Index next = end.closing + 1;
@@ -64,8 +65,9 @@ bool follows_an_impact(const SequencedOrbit& orbit, Eigen::Index i) {
 ResolvedChatter one_step(const ExtendedEquations& equations) {
   constexpr double kMostRest = 0.5, kByFar = 0.5;  // shares: of the contact, of kChatterLeftOut
   const SequencedOrbit& orbit = equations.orbit();
-  const double e = equations.model().dynamics.restitution();
   for (const ChatterEnd& end : chatter_ends(equations)) {
+    const double e =
+        equations.model().dynamics.restitution(orbit.events[static_cast<std::size_t>(end.closing)].contact);
     if (orbit.events[static_cast<std::size_t>(end.closing)].pushed.size() != 1)
       return {.obstacle = "its impacts are felt by contacts that rest"};
     if (e == 1.0) return {.obstacle = "elastic impacts that fade have no limit to add to"};
@@ -86,14 +88,13 @@ ResolvedChatter one_step(const ExtendedEquations& equations) {
 
 std::vector<ChatterEnd> chatter_ends(const ExtendedEquations& equations) {
   const ContactDynamics& dynamics = equations.model().dynamics;
-  const double e = dynamics.restitution();
   std::vector<ChatterEnd> ends;
-  if (!dynamics.rigid() || e == 0.0) return ends;
   const SequencedOrbit& orbit = equations.orbit();
   for (Eigen::Index i = 0; i < orbit.count(); ++i) {
     const auto index = static_cast<std::size_t>(i);
     const SequenceEvent& event = orbit.events[index];
-    if (event.kind != Kind::close) continue;
+    const double e = dynamics.restitution(event.contact);
+    if (event.kind != Kind::close || !dynamics.rigid(event.contact) || e == 0.0) continue;
     const LinearArc& before = *equations.equations().arcs()[index];
     ChatterEnd end{.closing = i,
                    .speed = equations.equations().crossings()[index].approach,

@@ -24,8 +24,8 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
   constexpr double kSameFlight = 1e-3;                            // of a short flight
   const FlowStructure& structure = model.dynamics.structure();
   const double omega = structure.frequency;
-  const Eigen::Index n = model.dynamics.size();
-  State state = state_of(x, n, units);
+  const Eigen::Index states = model.dynamics.states();
+  State state = state_of(x, model.dynamics, units);
   Eigen::VectorXd phases(orbit.count());
   double time = orbit.section / omega, shift = 0.0;
   const std::vector<bool>* closed = &orbit.closed;
@@ -35,7 +35,7 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
     const int j = event.contact;
     const std::unique_ptr<LinearArc> arc = model.flows.of(*closed).arc();
     arc->start(time, state);
-    double guess = (orbit.section + x[2 * n + i] + shift) / omega;
+    double guess = (orbit.section + x[states + i] + shift) / omega;
     const bool flies = i > 0 && event.kind != ContactEvent::Kind::open &&
                        orbit.events[index - 1].kind == ContactEvent::Kind::impact &&
                        orbit.events[index - 1].contact == j;
@@ -55,7 +55,7 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
     if (!at || !(*at > time - (other ? kSame / omega : 0.0))) return std::nullopt;
     time = *at;
     phases[i] = time * omega - orbit.section;
-    shift = phases[i] - x[2 * n + i];
+    shift = phases[i] - x[states + i];
     arc->state(time, state);
     if (!event.pushed.empty()) {
       const Eigen::VectorXd impulses =

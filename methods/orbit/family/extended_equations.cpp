@@ -22,7 +22,7 @@ std::vector<SequenceEvent> events_of(const SequencedOrbit& orbit, const ContactD
     if (event.kind != ContactEvent::Kind::impact) continue;
     for (std::size_t k = 0; k < event.restitution.size(); ++k) {
       if (!event.closed[static_cast<std::size_t>(event.pushed[k])])
-        event.restitution[k] = dynamics.restitution();
+        event.restitution[k] = dynamics.restitution(event.pushed[k]);
     }
   }
   return events;
@@ -44,29 +44,27 @@ double ExtendedEquations::parameter() const {
 double ExtendedEquations::frequency() const { return model_->dynamics.structure().frequency; }
 
 Eigen::VectorXd ExtendedEquations::state_factors(const OrbitModel& model) const {
-  const Eigen::Index n = model.dynamics.size();
   const MotionScales& own = model.dynamics.scales();
-  Eigen::VectorXd factors(2 * n);
-  factors.head(n).setConstant(family_.units().displacement / own.displacement);
-  factors.tail(n).setConstant(family_.units().velocity / own.velocity);
+  Eigen::VectorXd factors(model.dynamics.states());
+  factors.head(model.dynamics.positions()).setConstant(family_.units().displacement / own.displacement);
+  factors.tail(model.dynamics.size()).setConstant(family_.units().velocity / own.velocity);
   return factors;
 }
 
 std::unique_ptr<OrbitEquations> ExtendedEquations::evaluated(OrbitModel& model, const Eigen::VectorXd& x,
                                                              bool derivatives) const {
   const FlowStructure& structure = model.dynamics.structure();
-  const Eigen::Index n = model.dynamics.size();
-  if (2 * n != orbit_.states()) return nullptr;  // a mass has vanished on the way, or appeared
+  if (model.dynamics.states() != orbit_.states()) return nullptr;  // a mass has vanished, or appeared
   model.period = orbit_.order * structure.forcing_period;
   const OrbitGuess sequence{.start = {.time = orbit_.section / structure.frequency,
-                                      .state = {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)},
+                                      .state = model.dynamics.at_rest(),
                                       .closed = orbit_.closed},
                             .events = events_of(orbit_, model.dynamics),
                             .origin = {}};
   auto equations =
       std::make_unique<OrbitEquations>(model, sequence, Expired{}, OrbitEquations::Columns::alive);
   Eigen::VectorXd unknowns = x.head(size());
-  unknowns.head(2 * n).array() *= state_factors(model).array();
+  unknowns.head(orbit_.states()).array() *= state_factors(model).array();
   const bool finite = derivatives ? equations->evaluate(unknowns) : equations->evaluate_residual(unknowns);
   return finite ? std::move(equations) : nullptr;
 }
@@ -90,10 +88,11 @@ int ExtendedEquations::divided(const Eigen::VectorXd& x, Eigen::Index i) const {
   const auto later = static_cast<std::size_t>(i);
   const SequenceEvent &before = orbit_.events[later - 1], &event = orbit_.events[later];
   if (event.contact != before.contact) return 0;
-  if (!model_->dynamics.rigid()) return 1;
+  const ContactDynamics& dynamics = model_->dynamics;
+  if (!dynamics.halts(event.contact)) return 1;
   const Eigen::Index row = orbit_.states() + i;
   if (event.kind == ContactEvent::Kind::open || std::abs(x[row] - x[row - 1]) > kBrief) return 0;
-  if (before.kind == ContactEvent::Kind::open) return 3;
+  if (before.kind == ContactEvent::Kind::open) return dynamics.rigid(event.contact) ? 3 : 2;
   const bool to_rest = before.kind == ContactEvent::Kind::impact && before.pushed.size() == 1 &&
                        before.restitution.front() == 0.0;
   return to_rest ? 2 : 0;
@@ -149,21 +148,23 @@ double ExtendedEquations::ratio_of_rows(Eigen::Index i) const {
 }
 
 // Where a stop that was pressed lets go, its contact is accelerated by what the force was: x'' = -G lambda, G
-// of the stop while those that stay closed hold theirs.
+// of the stop while those that stay closed hold theirs. A damped one gives it that velocity, G = C / beta.
 double ExtendedEquations::ratio_at_release(Eigen::Index i) const {
   const ContactDynamics& dynamics = model_->dynamics;
   const SequenceEvent& opening = orbit_.events[static_cast<std::size_t>(i - 1)];
   std::vector<int> held;
-  for (int k = 0; k < dynamics.contact_count(); ++k) {
-    if (opening.closed[static_cast<std::size_t>(k)]) held.push_back(k);
-  }
-  const Eigen::MatrixXd& G = dynamics.structure().delassus;
   const int j = opening.contact;
+  const bool rigid = dynamics.rigid(j);
+  for (int k = 0; k < dynamics.contact_count(); ++k) {
+    if (opening.closed[static_cast<std::size_t>(k)] && dynamics.rigid(k) == rigid) held.push_back(k);
+  }
+  const Eigen::MatrixXd& G = dynamics.stops().coupling();
   double own = G(j, j);
   if (!held.empty()) {
     const Eigen::VectorXd felt = G(held, j);
     own -= felt.dot(ldlt_solve(G(held, held), felt));
   }
+  if (!rigid) own /= dynamics.structure().relaxation;
   return -own * dynamics.force_scale(j) / dynamics.scales().displacement;
 }
 
@@ -196,8 +197,11 @@ bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
     const Eigen::Index i = row - orbit_.states();
     const int power = divided(apart, i);
     const double length = apart[row] - apart[row - 1];
-    const double omega = frequency(), taken = length * length / (2.0 * omega * omega);
-    const double ratio = power == 3 ? taken * ratio_at_release(i) : ratio_of_rows(i);
+    const double time = length / frequency();
+    const bool released =
+        power > 1 && orbit_.events[static_cast<std::size_t>(i - 1)].kind == ContactEvent::Kind::open;
+    const double taken = power == 3 ? 0.5 * time * time : time;
+    const double ratio = released ? taken * ratio_at_release(i) : ratio_of_rows(i);
     const double slope = power * divided_difference(there, *model_, apart, i) / length;
     jacobian_.row(row).head(size()) = (J.row(row) - ratio * J.row(row - 1)) / std::pow(length, power);
     jacobian_(row, row) -= slope;
@@ -207,14 +211,15 @@ bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
 }
 
 void ExtendedEquations::settle(Eigen::VectorXd& x) {
-  const bool closes = std::any_of(orbit_.events.begin(), orbit_.events.end(), [](const SequenceEvent& event) {
-    return event.kind == ContactEvent::Kind::close;
-  });
-  if (!closes || !x.allFinite()) return;
+  if (!x.allFinite()) return;
   try {
     const auto model = family_.model(x[size()] * family_.units().parameter);
-    if (2 * model->dynamics.size() != orbit_.states()) return;
-    if (!model->dynamics.rigid() || model->dynamics.restitution() == 0.0) return;
+    if (model->dynamics.states() != orbit_.states()) return;
+    if (std::ranges::none_of(orbit_.events, [&](const SequenceEvent& event) {
+          return event.kind == ContactEvent::Kind::close && model->dynamics.rigid(event.contact) &&
+                 model->dynamics.restitution(event.contact) > 0.0;
+        }))
+      return;
     orbit_.events = events_of(orbit_, model->dynamics);
     if (const auto phases = event_instants(*model, orbit_, family_.units(), x))
       x.segment(orbit_.states(), orbit_.count()) = *phases;
@@ -309,16 +314,8 @@ Eigen::VectorXd ExtendedEquations::state_at(double phase) const {
 }
 
 Eigen::MatrixXd ExtendedEquations::monodromy() const {
-  Eigen::MatrixXd M;
-  if (model_->dynamics.rigid()) {
-    M = equations_->monodromy();
-    if (M.size() == 0) return M;
-  } else {
-    // The vector field is continuous: to first order the instants of events do not enter.
-    const Eigen::Index states = orbit_.states();
-    M = equations_->jacobian().topLeftCorner(states, states);
-    M.diagonal().array() += 1.0;
-  }
+  const Eigen::MatrixXd M = equations_->monodromy();
+  if (M.size() == 0) return M;
   const Eigen::VectorXd factors = state_factors(*model_);
   return factors.cwiseInverse().asDiagonal() * M * factors.asDiagonal();
 }

@@ -8,11 +8,11 @@
 
 namespace signorini {
 
-/// OrbitEquations of a sequence, 2 Nd + m of them, in the unknowns x of SequencedOrbit: R(x) = 0 is a curve
+/// OrbitEquations of a sequence, Ns + m of them, in the unknowns x of SequencedOrbit: R(x) = 0 is a curve
 /// where [dR/dy, dR/dtheta, dR/dp] has full rank. With phases of the events as unknowns it is smooth through
 /// the grazing of an impact, and says nothing of admissibility (`survey`).
 ///
-/// At compliant stops and massless contacts the equation of an event i that follows another one of the same
+/// At springs and undamped massless contacts the equation of an event i that follows another one of the same
 /// contact, without a third between them, is replaced by the divided difference
 ///
 ///     (z(theta_i) - z(theta_{i-1})) / (theta_i - theta_{i-1}) = 0,
@@ -21,7 +21,8 @@ namespace signorini {
 /// z(theta_{i-1}) = 0 is the equation before, and regular where the phase of contact begins, with the length
 /// 0. At rigid stops likewise where a flight of less than .1 rad begins at rest on the stop and ends at event
 /// i: after an impact without restitution, or an opening, z = x_j - g_j has a double, or threefold, zero at
-/// theta_{i-1}. With l = theta_i - theta_{i-1}, k = 2 or 3, the equation is
+/// theta_{i-1}; a double one where a damped stop opens. With l = theta_i - theta_{i-1}, k = 2 or 3, the
+/// equation is
 ///
 ///     (z(theta_i) - sum_{q<k} z^(q)(theta_{i-1}) l^q / q!) / l^k = 0.
 ///
@@ -35,7 +36,7 @@ class ExtendedEquations {
   ExtendedEquations(const ExtendedEquations&) = delete;
   ExtendedEquations& operator=(const ExtendedEquations&) = delete;
 
-  [[nodiscard]] Eigen::Index size() const { return orbit_.x.size() - 1; }  ///< 2 Nd + m
+  [[nodiscard]] Eigen::Index size() const { return orbit_.x.size() - 1; }  ///< Ns + m
   /// Evaluates R and its derivative but for dR/dp at x; false where anything is not finite or a flow cannot
   /// be formed.
   bool evaluate(const Eigen::VectorXd& x);
@@ -44,8 +45,8 @@ class ExtendedEquations {
   /// Of sequences that end a complete chatter: puts the instants of x where `event_instants` has them, before
   /// an evaluation within Newton's method; leaves x as it is where they are not to be had.
   void settle(Eigen::VectorXd& x);
-  [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }  ///< R, 2 Nd + m [-]
-  /// [dR/dy, dR/dtheta, dR/dp], (2 Nd + m) x (2 Nd + m + 1) [-]. dR/dp is evaluated anew where x has moved by
+  [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }  ///< R, Ns + m [-]
+  /// [dR/dy, dR/dtheta, dR/dp], (Ns + m) x (Ns + m + 1) [-]. dR/dp is evaluated anew where x has moved by
   /// more than 1e-6 since.
   const Eigen::MatrixXd& jacobian();
   /// The same with dR/dp by a central difference of fourth order over 1e-4 P, good to about 1e-10: where the
@@ -53,7 +54,7 @@ class ExtendedEquations {
   Eigen::MatrixXd accurate_jacobian() const;
 
   /// Free motions (OrbitFamily::driven) have a phase too many and, as energy is kept, an equation too many:
-  /// along a step their first event stays at its phase. One row of 2 Nd + m + 1; none of driven motions.
+  /// along a step their first event stays at its phase. One row of Ns + m + 1; none of driven motions.
   [[nodiscard]] Eigen::MatrixXd conditions() const;
 
   /// What rounding makes of R: arcs cancel in it [-].
@@ -73,7 +74,7 @@ class ExtendedEquations {
   [[nodiscard]] double time_of(double phase) const { return (orbit_.section + phase) / frequency(); }
   /// The state (u / X, v / V) at a phase after the section, in [0, 2 pi n].
   [[nodiscard]] Eigen::VectorXd state_at(double phase) const;
-  /// dy(2 pi n) / dy(0), 2 Nd x 2 Nd, in CurveUnits; empty at the grazing of a rigid stop.
+  /// dy(2 pi n) / dy(0), Ns x Ns, in CurveUnits; empty at the grazing of a stop that halts its contact.
   [[nodiscard]] Eigen::MatrixXd monodromy() const;
 
  private:
@@ -82,7 +83,7 @@ class ExtendedEquations {
   // finite.
   std::unique_ptr<OrbitEquations> evaluated(OrbitModel& model, const Eigen::VectorXd& x,
                                             bool derivatives = true) const;
-  // CurveUnits over those of the model, of the first 2 Nd unknowns.
+  // CurveUnits over those of the model, of the first Ns unknowns.
   [[nodiscard]] Eigen::VectorXd state_factors(const OrbitModel& model) const;
   [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model,
                                             const Eigen::VectorXd& x) const;
@@ -92,7 +93,8 @@ class ExtendedEquations {
   // Left side of it, where `equations` are evaluated at x.
   [[nodiscard]] double divided_difference(const OrbitEquations& equations, const OrbitModel& model,
                                           const Eigen::VectorXd& x, Eigen::Index i) const;
-  // z(theta_{i-1}) over the left side of equation i - 1; of an opening of a rigid stop z''(theta_{i-1}).
+  // z(theta_{i-1}) over the left side of equation i - 1; of an opening of a rigid stop z''(theta_{i-1}), of a
+  // damped one z'(theta_{i-1}).
   [[nodiscard]] double ratio_of_rows(Eigen::Index i) const;
   [[nodiscard]] double ratio_at_release(Eigen::Index i) const;
   // Puts the rows of divided differences into the Jacobian; false where it cannot be evaluated.

@@ -9,8 +9,11 @@ double energy_of(const OrbitModel& model, const FlowState& at) {
   const FlowStructure& s = model.dynamics.structure();
   const State& y = at.state;
   double energy = 0.5 * (y.v.dot(s.mass * y.v) + y.u.dot(s.stiffness * y.u)) - y.u.dot(s.load_at(at.time));
-  if (model.dynamics.rigid()) return energy;
-  const ContactMode mode = model.dynamics.mode(at.closed);
+  std::vector<bool> pressed = at.closed;  // springs alone
+  for (int j = 0; j < model.dynamics.contact_count(); ++j)
+    if (model.dynamics.rigid(j)) pressed[static_cast<std::size_t>(j)] = false;
+  const ContactMode mode = model.dynamics.mode(pressed);
+  if (mode.active.empty()) return energy;
   const Eigen::VectorXd over = s.unloaded(at.time, y.u, 0)(mode.active) - s.gaps(mode.active);
   return energy + 0.5 * over.dot(mode.response * over);
 }
@@ -22,10 +25,9 @@ FollowedQuantity::FollowedQuantity(const OrbitFamily& family, const std::optiona
 
 double FollowedQuantity::at(const ExtendedEquations& equations, const Eigen::VectorXd& x) const {
   if (!of_energy_) return x[x.size() - 1] * family_.units().parameter;
-  const Eigen::Index n = equations.orbit().states() / 2;
-  return energy_of(
-      equations.model(),
-      {.time = 0.0, .state = state_of(x, n, family_.units()), .closed = equations.orbit().closed});
+  return energy_of(equations.model(), {.time = 0.0,
+                                       .state = state_of(x, equations.model().dynamics, family_.units()),
+                                       .closed = equations.orbit().closed});
 }
 
 std::optional<StepTarget> FollowedQuantity::target(const std::vector<double>& values,

@@ -13,15 +13,13 @@ namespace signorini {
 std::string continuation_obstacle(const Problem& problem) {
   if (problem.size() > kMostInDenseFlow)
     return fmt::format("{} coordinates are more than {}", problem.size(), kMostInDenseFlow);
-  const Law scene_law = problem.law();
-  if (std::holds_alternative<MixedLaws>(scene_law)) return "contacts of different laws are not continued";
-  const auto* law = std::get_if<Restitution>(&scene_law);
-  const bool loses = problem.damping().norm() > 0.0 || (law != nullptr && law->e < 1.0);
+  const bool loses =
+      problem.damping().norm() > 0.0 || std::ranges::any_of(problem.contacts, [](const Contact& contact) {
+        const auto* law = std::get_if<Restitution>(&contact.law);
+        return law != nullptr && law->e < 1.0;
+      });
   if (highest_load_harmonic(problem) == 0 && loses) return "without a periodic load it comes to rest";
-  if (std::string obstacle = flow_obstacle(problem); !obstacle.empty()) return obstacle;
-  if (condense(problem).relaxation > 0.0)
-    return "coordinates without mass are damped, whose orbits are not continued";
-  return {};
+  return flow_obstacle(problem);
 }
 
 OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)

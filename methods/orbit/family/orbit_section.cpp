@@ -25,11 +25,26 @@ std::optional<SequencedOrbit> with_quiet_section(OrbitFamily& family, const Sequ
   return with_section(orbit, equations, quiet_phase(orbit));
 }
 
+namespace {
+
+// Whether a list of events is one of a shorter period so many times over.
+bool repeats(const std::vector<SequenceEvent>& events, int parts) {
+  const std::size_t count = events.size() / static_cast<std::size_t>(parts);
+  if (events.size() % static_cast<std::size_t>(parts) != 0) return false;
+  for (std::size_t i = count; i < events.size(); ++i) {
+    if (events[i].contact != events[i - count].contact || events[i].kind != events[i - count].kind)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 SequencedOrbit of_least_period(const SequencedOrbit& orbit, const ExtendedEquations& equations) {
   constexpr double kSame = 1e-7;
   const Eigen::Index states = orbit.states();
   for (int parts = orbit.order; parts > 1; --parts) {
-    if (orbit.order % parts != 0 || orbit.count() % parts != 0) continue;
+    if (orbit.order % parts != 0 || !repeats(orbit.events, parts)) continue;
     const double end = orbit.end() / parts;
     if ((equations.state_at(end) - orbit.x.head(states)).lpNorm<Eigen::Infinity>() > kSame) continue;
     std::vector<PlacedEvent> placed = placed_events(orbit);
@@ -69,9 +84,9 @@ Eigen::VectorXd half_way(const ExtendedEquations& equations) {
 
 std::optional<double> half_period_on_step(ExtendedEquations& equations, const CurveStep& step,
                                           const Eigen::VectorXd& begin) {
-  constexpr double kSame = 1e-4;  // of y(T / 2) - y_0, in CurveUnits
+  constexpr double kSame = 1e-4, kRounding = 1e-10;  // of y(T / 2) - y_0, in CurveUnits
   const Eigen::VectorXd after = half_way(equations);
-  if (after.size() == 0 || !(begin.dot(after) < 0.0)) return std::nullopt;
+  if (after.size() == 0 || begin.norm() < kRounding || !(begin.dot(after) < 0.0)) return std::nullopt;
   const Eigen::VectorXd direction = begin.normalized();
   const auto along = [&](ExtendedEquations& at) { return std::optional(direction.dot(half_way(at))); };
   const auto length = locate(equations, step, along, begin.norm(), direction.dot(after));

@@ -12,8 +12,9 @@
 
 namespace signorini {
 
-State state_of(const Eigen::VectorXd& x, Eigen::Index size, const CurveUnits& units) {
-  return {.u = units.displacement * x.head(size), .v = units.velocity * x.segment(size, size)};
+State state_of(const Eigen::VectorXd& x, const ContactDynamics& dynamics, const CurveUnits& units) {
+  return {.u = units.displacement * x.head(dynamics.positions()),
+          .v = units.velocity * x.segment(dynamics.positions(), dynamics.size())};
 }
 
 std::vector<PlacedEvent> placed_events(const SequencedOrbit& orbit) {
@@ -73,19 +74,19 @@ std::optional<SequencedOrbit> contact_free_orbit(OrbitFamily& family, double par
 SequencedOrbit sequenced(const OrbitFamily& family, const OrbitGuess& orbit, double period, double frequency,
                          double parameter) {
   const CurveUnits& units = family.units();
-  const Eigen::Index n = orbit.start.state.u.size();
+  const Eigen::Index p = orbit.start.state.u.size(), n = orbit.start.state.v.size();
   const auto count = static_cast<Eigen::Index>(orbit.events.size());
   SequencedOrbit result{.order = std::max(1, static_cast<int>(std::lround(period * frequency / kTwoPi))),
                         .closed = orbit.start.closed,
                         .events = orbit.events,
-                        .x = Eigen::VectorXd(2 * n + count + 1)};
+                        .x = Eigen::VectorXd(p + n + count + 1)};
   result.section =
       std::fmod(std::fmod(orbit.start.time * frequency, result.end()) + result.end(), result.end());
-  result.x.head(n) = orbit.start.state.u / units.displacement;
-  result.x.segment(n, n) = orbit.start.state.v / units.velocity;
+  result.x.head(p) = orbit.start.state.u / units.displacement;
+  result.x.segment(p, n) = orbit.start.state.v / units.velocity;
   for (Eigen::Index i = 0; i < count; ++i)
-    result.x[2 * n + i] = (orbit.events[static_cast<std::size_t>(i)].time - orbit.start.time) * frequency;
-  result.x[2 * n + count] = parameter / units.parameter;
+    result.x[p + n + i] = (orbit.events[static_cast<std::size_t>(i)].time - orbit.start.time) * frequency;
+  result.x[p + n + count] = parameter / units.parameter;
   return result;
 }
 
@@ -125,10 +126,15 @@ SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<Place
   return with_modes(with_events(orbit, std::move(placed)));
 }
 
-SequencedOrbit with_contact_phase(const SequencedOrbit& orbit, int contact, double phase) {
+bool closed_before(const SequencedOrbit& orbit, int contact, double phase) {
   bool closed = orbit.closed[static_cast<std::size_t>(contact)];
   for (Eigen::Index i = 0; i < orbit.count() && orbit.phase(i) < phase; ++i)
     closed = orbit.events[static_cast<std::size_t>(i)].closed[static_cast<std::size_t>(contact)];
+  return closed;
+}
+
+SequencedOrbit with_contact_phase(const SequencedOrbit& orbit, int contact, double phase) {
+  const bool closed = closed_before(orbit, contact, phase);
   std::vector<PlacedEvent> placed = placed_events(orbit);
   for (const bool opens : {closed, !closed})
     placed.emplace_back(phase,

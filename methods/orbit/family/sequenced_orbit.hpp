@@ -16,17 +16,18 @@ namespace signorini {
 ///
 ///     x = (u_0 / X, v_0 / V, theta_1 .. theta_m, p / P),   theta_i = omega (t_i - t_0),
 ///
-/// 2 Nd + m + 1, in CurveUnits. The section t_0 is a fixed phase of the load, theta_0 = omega t_0.
+/// Ns + m + 1, in CurveUnits; u_0 with the parts xi_0 of contacts that relax, Ns = 2 Nd or 2 Nd + Nc. The
+/// section t_0 is a fixed phase of the load, theta_0 = omega t_0.
 struct SequencedOrbit {
   int order = 1;                           ///< n >= 1, forcing periods [-]
   double section = 0.0;                    ///< theta_0 in [0, 2 pi n) [rad]
   std::vector<bool> closed = {};           ///< Nc, at the section
   std::vector<SequenceEvent> events = {};  ///< m of them, in order; their times mean nothing
-  Eigen::VectorXd x = {};                  ///< 2 Nd + m + 1
+  Eigen::VectorXd x = {};                  ///< Ns + m + 1
 
   /// m.
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(events.size()); }
-  /// 2 Nd.
+  /// Ns.
   [[nodiscard]] Eigen::Index states() const { return x.size() - count() - 1; }
   /// theta_i after the section [rad].
   [[nodiscard]] double phase(Eigen::Index i) const { return x[states() + i]; }
@@ -34,8 +35,8 @@ struct SequencedOrbit {
   [[nodiscard]] double end() const { return kTwoPi * order; }
 };
 
-/// (u_0, v_0) of unknowns x of a structure of `size` coordinates.
-State state_of(const Eigen::VectorXd& x, Eigen::Index size, const CurveUnits& units);
+/// (u_0, v_0) of unknowns x.
+State state_of(const Eigen::VectorXd& x, const ContactDynamics& dynamics, const CurveUnits& units);
 
 /// An event with its phase after the section [rad].
 using PlacedEvent = std::pair<double, SequenceEvent>;
@@ -67,6 +68,9 @@ SequencedOrbit repeated(const SequencedOrbit& orbit, int times);
 
 /// The orbit with more impacts. The contacts closed are those of the moment.
 SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& impacts);
+
+/// Whether a contact is closed before the events at a phase after the section.
+bool closed_before(const SequencedOrbit& orbit, int contact, double phase);
 
 /// The orbit with a closing and an opening, or the other way round where it is closed there, of a contact at
 /// one phase after the section: a phase of contact, or a break of one, of length 0.

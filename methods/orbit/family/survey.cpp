@@ -81,7 +81,7 @@ class Surveyor {
     const LinearArc& after = *equations_.equations().arcs()[index + 1];
     const double time = equations_.time_of(phase);
     if (event.pushed.size() > 1) together(i, time);
-    if (event.kind == ContactEvent::Kind::close && dynamics_.rigid())
+    if (event.kind == ContactEvent::Kind::close && dynamics_.rigid(event.contact))
       add(GuardKind::landing, number,
           -after.force(event.contact, time) / dynamics_.force_scale(event.contact), phase);
     if (event.kind != ContactEvent::Kind::impact) return;
@@ -110,6 +110,7 @@ class Surveyor {
   void corners(Eigen::Index i) {
     const auto index = static_cast<std::size_t>(i);
     const SequenceEvent& event = orbit_.events[index];
+    pressed_corners(i);
     if (event.kind != ContactEvent::Kind::impact) return;
     const LinearArc& before = *equations_.equations().arcs()[index];
     const LinearArc& after = *equations_.equations().arcs()[index + 1];
@@ -121,6 +122,24 @@ class Surveyor {
       if (!(before.displacement(j, time, 1) > 0.0 && after.displacement(j, time, 1) <= 0.0)) continue;
       lower(GuardKind::corner, j, (dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_, phase,
             i);
+    }
+  }
+
+  // The same of the forces of springs that stay pressed, and what a damped stop makes of those of others.
+  void pressed_corners(Eigen::Index i) {
+    const auto index = static_cast<std::size_t>(i);
+    const SequenceEvent& event = orbit_.events[index];
+    const LinearArc& before = *equations_.equations().arcs()[index];
+    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    const double time = equations_.time_of(orbit_.phase(i));
+    for (const int j : before.mode().active) {
+      if (j == event.contact || dynamics_.rigid(j) || !after.mode().closed(j)) continue;
+      const bool turns = event.kind == ContactEvent::Kind::impact && before.force(j, time, 1) > 0.0 &&
+                         after.force(j, time, 1) <= 0.0;
+      const bool jumps = event.kind == ContactEvent::Kind::close && dynamics_.halts(j) &&
+                         dynamics_.stops().coupling()(j, event.contact) != 0.0;
+      if (turns || jumps)
+        lower(GuardKind::corner, j, -after.force(j, time) / dynamics_.force_scale(j), orbit_.phase(i), i);
     }
   }
 
@@ -137,7 +156,7 @@ class Surveyor {
   // Whether contact j rests on its stop where a part begins, let go by an opening or by an impact without
   // restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
   [[nodiscard]] bool leaves_rest(Eigen::Index part, int j) const {
-    if (part == 0 || !dynamics_.rigid()) return false;
+    if (part == 0 || !dynamics_.halts(j)) return false;
     const SequenceEvent& event = orbit_.events[static_cast<std::size_t>(part - 1)];
     if (event.contact != j) return false;
     const bool keeps_none =
@@ -208,11 +227,13 @@ double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum)
   const double time = equations.time_of(corner ? equations.orbit().phase(maximum.part) : maximum.guard.phase);
   const ContactDynamics& dynamics = equations.model().dynamics;
   if (maximum.guard.kind == GuardKind::pressure) return -arc.force(j, time) / dynamics.force_scale(j);
+  if (corner && arc.mode().closed(j))
+    return -equations.equations().arcs()[part + 1]->force(j, time) / dynamics.force_scale(j);
   const double gap = dynamics.structure().gaps[j];
   return (gap - arc.displacement(j, time)) / equations.family().units().displacement;
 }
 
-std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid) {
+std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, const ContactDynamics& dynamics) {
   const auto event = [&]() -> const SequenceEvent& {
     return orbit.events[static_cast<std::size_t>(guard.index)];
   };
@@ -229,10 +250,12 @@ std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool 
       return fmt::format("events of contacts {} and {} coincide", before.contact, event().contact);
     }
     case GuardKind::clearance:
-      return rigid ? fmt::format("contact {} grazes its stop", guard.index)
-                   : fmt::format("contact {} begins to press on its stop", guard.index);
+      return dynamics.rigid(guard.index) ? fmt::format("contact {} grazes its stop", guard.index)
+                                         : fmt::format("contact {} begins to press on its stop", guard.index);
     case GuardKind::corner:
-      return fmt::format("contact {} reaches its stop at the impact of another", guard.index);
+      return closed_before(orbit, guard.index, guard.phase)
+                 ? fmt::format("contact {} lets go where another meets its stop", guard.index)
+                 : fmt::format("contact {} reaches its stop at the impact of another", guard.index);
     case GuardKind::pressure:
       return fmt::format("contact {} lets go while it is closed", guard.index);
     case GuardKind::landing:

@@ -15,7 +15,8 @@ enum class GuardKind {
   approach,   ///< of an event: x'_- of an impact or closing over V
   interval,   ///< of an event: theta_i - theta_{i-1}, around the period for the first, times its weight [rad]
   clearance,  ///< of a contact: least g_j - x_j over X at the local maxima of x_j while it is open
-  corner,     ///< the same at an impact of another contact, where x_j turns back
+  corner,     ///< the same at an impact of another contact, where x_j turns back; of a closed contact
+              ///< -lambda_j over its scale, where its rate jumps, or it does itself
   pressure,   ///< of a contact: least -lambda_j, over its scale, at the local maxima while it is closed
   landing,    ///< of a closing: -lambda_j just after it, over its scale
   release,    ///< of an impact without restitution: -x''_j after it, over omega V
@@ -68,6 +69,6 @@ std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations);
 double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum);
 
 /// What happens where a guard becomes zero, one clause: "contact 0 grazes its stop", ...
-std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, bool rigid);
+std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, const ContactDynamics& dynamics);
 
 }  // namespace signorini

@@ -8,6 +8,7 @@
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/marching/periodic_march.hpp"
 #include "methods/orbit/reduced/closing_orbit.hpp"
+#include "methods/reduction/reduced_problem.hpp"
 #include "methods/structure/periodic_response.hpp"
 #include "problems/matrix_properties.hpp"
 
@@ -57,6 +58,7 @@ std::string reduction_obstacle(const Problem& problem) {
   if (std::string obstacle = march_obstacle(problem); !obstacle.empty()) return obstacle;
   const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
   if (!damping) return "the damping is not proportional to mass and stiffness";
+  if (damping->beta > 0.0 && std::holds_alternative<MixedLaws>(problem.law())) return kMixedRelaxing;
   return {};
 }
 

@@ -98,7 +98,7 @@ void compare(OrbitFamily& family, const OrbitBranch& branch, std::size_t i, Seen
     ++seen.inadmissible;
     fmt::print("  {} between {:.12g} and {:.12g}, point {} of {}: {} ({:.1e})\n", branch.sequence,
                a.parameter, branch.points[i + 1].parameter, i, branch.points.size(),
-               describe(*past, equations.orbit(), equations.model().dynamics.rigid()), past->value);
+               describe(*past, equations.orbit(), equations.model().dynamics), past->value);
     return;
   }
 }
