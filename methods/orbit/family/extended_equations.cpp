@@ -28,6 +28,15 @@ std::vector<SequenceEvent> events_of(const SequencedOrbit& orbit, const ContactD
   return events;
 }
 
+// What a damped stop lets go moves at the rate 1 / beta: its divided row is in units of that motion, in
+// others it would be all rounding.
+double share_of_unit(const SequenceEvent& before, const SequenceEvent& event,
+                     const ContactDynamics& dynamics) {
+  const bool released = before.kind == ContactEvent::Kind::open && event.kind == ContactEvent::Kind::close;
+  if (!released || dynamics.rigid(event.contact) || !dynamics.halts(event.contact)) return 1.0;
+  return std::min(1.0, dynamics.structure().relaxation * dynamics.structure().frequency);
+}
+
 }  // namespace
 
 ExtendedEquations::~ExtendedEquations() = default;
@@ -107,7 +116,8 @@ double ExtendedEquations::divided_difference(const OrbitEquations& equations, co
   const LinearArc& arc = *equations.arcs()[index];
   const int j = orbit_.events[index].contact, first = divided(x, i), terms = first == 1 ? 8 : 32;
   const bool of_force = orbit_.events[index].kind == ContactEvent::Kind::open;
-  const double unit = of_force ? dynamics.force_scale(j) : dynamics.scales().displacement;
+  const double unit = (of_force ? dynamics.force_scale(j) : dynamics.scales().displacement) /
+                      share_of_unit(orbit_.events[index - 1], orbit_.events[index], dynamics);
   const double omega = dynamics.structure().frequency;
   const auto z = [&](double phase, int order) {
     const double t = (orbit_.section + phase) / omega;
@@ -202,8 +212,10 @@ bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
         power > 1 && orbit_.events[static_cast<std::size_t>(i - 1)].kind == ContactEvent::Kind::open;
     const double taken = power == 3 ? 0.5 * time * time : time;
     const double ratio = released ? taken * ratio_at_release(i) : ratio_of_rows(i);
+    const auto event = orbit_.events.begin() + i;
+    const double divisor = std::pow(length, power) / share_of_unit(*(event - 1), *event, model_->dynamics);
     const double slope = power * divided_difference(there, *model_, apart, i) / length;
-    jacobian_.row(row).head(size()) = (J.row(row) - ratio * J.row(row - 1)) / std::pow(length, power);
+    jacobian_.row(row).head(size()) = (J.row(row) - ratio * J.row(row - 1)) / divisor;
     jacobian_(row, row) -= slope;
     jacobian_(row, row - 1) += slope;
   }

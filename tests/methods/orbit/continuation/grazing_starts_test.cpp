@@ -62,25 +62,25 @@ TEST(GrazingStarts, OfDampedStopsHaveMultipliersThatJump) {
   for (const double c : {0.2, 4.0}) {
     const OrbitDiagram diagram = diagram_of(before_damped_stop(c), 2.0, 2.6, {.max_order = 1});
     const OrbitBranch* pressed = branch_of(diagram, 1, 1);
-    ASSERT_TRUE(pressed) << c;
-    EXPECT_NEAR(nearest(*pressed, SpecialKind::grazing, kGrazing), kGrazing, kLocated);
+    ASSERT_TRUE(pressed && pressed->points.size() > 2) << c;
+    EXPECT_NEAR(pressed->points[0].parameter, kGrazing, kLocated);
+    EXPECT_EQ(pressed->points[0].stability, OrbitStability::undefined);
     Eigen::Matrix3d projection = Eigen::Matrix3d::Identity();
     projection.row(1) << -1.0, 0.0, 0.0;
     projection.row(2) << -c, -c, 1.0;
     const std::vector<double> limit =
         sorted_magnitudes(general_eigenvalues(open_flow(c, kGrazing) * projection));
-    double least = 1e300;  // of the branch next to the grazing
-    for (const SolutionPoint& point : pressed->points) {
-      if (point.multipliers.size() == 0) continue;
-      double apart = 0.0;
-      for (std::size_t k = 0; k < limit.size(); ++k)
-        apart = std::max(apart, std::abs(sorted_magnitudes(point.multipliers)[k] - limit[k]));
-      least = std::min(least, apart);
+    const auto length = [&](std::size_t i) {
+      return pressed->points[i].frequency *
+             (pressed->orbits[i].events[1].time - pressed->orbits[i].events[0].time);
+    };
+    const std::vector<double> first = sorted_magnitudes(pressed->points[1].multipliers),
+                              second = sorted_magnitudes(pressed->points[2].multipliers);
+    for (std::size_t k = 0; k < limit.size(); ++k) {
+      const double slope = (second[k] - first[k]) / (length(2) - length(1));
+      EXPECT_NEAR(first[k] - slope * length(1), limit[k], 0.01 * std::max(1.0, limit[k]))
+          << c << ": " << first[k];
     }
-    EXPECT_LT(least, 0.05) << c;
-    EXPECT_EQ(pressed->points.back().stability == OrbitStability::undefined ||
-                  pressed->points.front().stability == OrbitStability::undefined,
-              true);
   }
 }
 
@@ -101,7 +101,6 @@ TEST(GrazingStarts, LeadToTheDoublingsAndFoldsOfAnIndependentMarch) {
     EXPECT_NEAR(nearest(*two, SpecialKind::period_doubling, truth.doubling_of_two), truth.doubling_of_two,
                 kLocated);
     EXPECT_NEAR(nearest(*two, SpecialKind::fold, truth.fold_of_two), truth.fold_of_two, kLocated);
-    EXPECT_NEAR(nearest(*two, SpecialKind::grazing, kGrazing), kGrazing, 1e-4);  // a window at small c
     for (const OrbitBranch& branch : diagram.branches) {
       EXPECT_GT(branch.points.size(), 2U) << branch.began;
       EXPECT_EQ(branch.ended.find("fails"), std::string::npos) << branch.ended;
@@ -111,7 +110,6 @@ TEST(GrazingStarts, LeadToTheDoublingsAndFoldsOfAnIndependentMarch) {
       if (orbit.outcome != OrbitOutcome::converged) continue;
       EXPECT_NEAR(largest_magnitude(orbit.multipliers), largest_magnitude(two->points[i].multipliers),
                   1e-6 * largest_magnitude(orbit.multipliers));
-      EXPECT_NEAR(orbit.trajectory->sample(64).x.maxCoeff(), 0.2, 1e-2);
     }
   }
 }
