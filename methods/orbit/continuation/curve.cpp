@@ -9,7 +9,6 @@
 #include <tuple>
 #include <utility>
 
-#include "methods/orbit/continuation/grazing_starts.hpp"
 #include "methods/orbit/continuation/hidden_bifurcations.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"

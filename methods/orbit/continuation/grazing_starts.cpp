@@ -14,22 +14,6 @@
 
 namespace signorini {
 
-bool is_grazing(const OrbitGuard& guard, const ExtendedEquations& equations) {
-  const ContactDynamics& dynamics = equations.model().dynamics;
-  if (guard.kind == GuardKind::clearance) return dynamics.halts(guard.index);
-  if (guard.kind != GuardKind::approach && guard.kind != GuardKind::interval) return false;
-  const SequencedOrbit& orbit = equations.orbit();
-  const auto index = static_cast<std::size_t>(guard.index);
-  const SequenceEvent& event = orbit.events[index];
-  const bool follows = index > 0 && orbit.events[index - 1].contact == event.contact;
-  const bool damped = dynamics.halts(event.contact) && !dynamics.rigid(event.contact);
-  if (guard.kind == GuardKind::interval) return damped && follows && event.kind == ContactEvent::Kind::open;
-  if (!damped) return event.kind == ContactEvent::Kind::impact;
-  // Else the contact, let go for a moment, closes again at once.
-  constexpr double kAtOnce = 1e-6;  // rad
-  return !follows || orbit.phase(guard.index) - orbit.phase(guard.index - 1) > kAtOnce;
-}
-
 namespace {
 
 constexpr double kGrazes = 1e-8;  // of X and V

@@ -10,10 +10,6 @@
 
 namespace signorini {
 
-/// Whether a guard's zero where the equations are evaluated is the fading of an impact, or of a contact with
-/// a damped stop, or a new one: the motion on either side is a grazing one.
-bool is_grazing(const OrbitGuard& guard, const ExtendedEquations& equations);
-
 /// An orbit that grazes stops, rigid or damped, without the impacts.
 struct GrazingOrbit {
   SequencedOrbit base = {};                ///< at its least period

@@ -68,6 +68,10 @@ std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations);
 /// equations have it where they are evaluated [-].
 double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum);
 
+/// Whether a guard's zero where the equations are evaluated is the fading of an impact, or of a contact with
+/// a damped stop, or a new one: the motion on either side is a grazing one.
+bool is_grazing(const OrbitGuard& guard, const ExtendedEquations& equations);
+
 /// What happens where a guard becomes zero, one clause: "contact 0 grazes its stop", ...
 std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, const ContactDynamics& dynamics);
 
