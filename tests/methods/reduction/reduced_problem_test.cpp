@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/reduction/contact_space.hpp"
 #include "methods/structure/bases/condensation.hpp"
 #include "methods/structure/receptance.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "problems/validation.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
@@ -50,6 +52,29 @@ TEST(ReducedProblem, CondensesToTheReduction) {
   EXPECT_NEAR(back.massless_compliance(0, 0), space.small().compliance(0, 0),
               1e-10 * space.small().compliance(0, 0));
   EXPECT_NEAR(back.relaxation, kStiff.beta, 1e-12);
+}
+
+// A spring beside a massless contact, both on coordinates without mass: as many vectors as masses leave
+// nothing out.
+TEST(ReducedProblem, KeepsTheLawOfEachContact) {
+  Problem chain = parse_scene(
+      "schema = 1\nname = \"c\"\n[system]\nkind = \"chain\"\nmasses = [1.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0, "
+      "0.0]\nsprings = [9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0]\ndampers = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, "
+      "0.0, "
+      "0.0]\n[forcing]\nfrequency = 0.7\n[[forcing.term]]\ndof = 3\ncos = 1.0\n[[contact]]\ndof = 7\ngap = "
+      "0.05\n[[contact]]\ndof = 4\nside = \"below\"\ngap = 0.05\npenalty = 5.0\n",
+      "c.toml");
+  chain.edit_structure([](Structure& s) { s.damping = 0.05 * s.mass; });
+  const ReducedProblem reduced =
+      reduced_problem(chain, ContactSpace(chain, {.small = 6, .whole = 6}).small());
+  ASSERT_EQ(reduced.obstacle, "");
+  const ExactOrbitMethod method({});
+  const Solution whole = method.prepare(chain)->solve({}), few = method.prepare(reduced.problem)->solve({});
+  ASSERT_TRUE(whole.trajectory && few.trajectory) << whole.message << few.message;
+  EXPECT_LT((whole.trajectory->sample(256).x - few.trajectory->sample(256).x).cwiseAbs().maxCoeff(), 1e-9);
+  chain.edit_structure([](Structure& s) { s.damping += SparseMatrix(0.01 * s.stiffness); });
+  EXPECT_EQ(reduced_problem(chain, ContactSpace(chain, {.small = 6, .whole = 6}).small()).obstacle,
+            kMixedRelaxing);
 }
 
 TEST(ReducedProblem, SaysWhyThereIsNone) {
