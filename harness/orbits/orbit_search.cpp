@@ -12,6 +12,7 @@
 #include "harness/isolation/isolation.hpp"
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/judge/orbit.hpp"
+#include "harness/orbits/listed_motion.hpp"
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
@@ -38,26 +39,6 @@ OrbitGuess first_period(OrbitGuess orbit, double period) {
   std::erase_if(orbit.events, [end](const SequenceEvent& event) { return event.time >= end; });
   return orbit;
 }
-
-/// Nothing but events: what the polish needs of an orbit.
-class ListedEvents final : public Trajectory {
- public:
-  ListedEvents(int contacts, double period, std::vector<ContactEvent> events)
-      : contacts_(contacts), period_(period), events_(std::move(events)) {}
-
-  [[nodiscard]] int contact_count() const override { return contacts_; }
-  [[nodiscard]] double period() const override { return period_; }
-  [[nodiscard]] Samples sample(int count) const override {
-    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, contacts_);
-    return {.x = zero, .velocity = zero, .force = zero};
-  }
-  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override { return events_; }
-
- private:
-  int contacts_;
-  double period_;
-  std::vector<ContactEvent> events_;
-};
 
 class OrbitCollection {
  public:
@@ -235,12 +216,10 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
 
 std::optional<FoundOrbit> certify_again(const Problem& problem, const FoundOrbit& kept, Deadline deadline,
                                         const OrbitPolisher& polish, std::span<const Certificate> confirmed) {
-  std::vector<ContactEvent> events;
-  for (const OrbitEvent& event : kept.certified.events)
-    events.push_back({event.kind, event.contact, event.time, event.value.value_or(0.0)});
   const Problem at_order = with_subharmonic(problem, kept.order);
   const OrbitPolisher certify = polish ? polish : exact_orbits();
-  const ListedEvents listed(problem.contact_count(), at_order.period(), std::move(events));
+  const ListedMotion listed(at_order.period(), contact_events(kept.certified.events),
+                            std::vector<bool>(problem.contacts.size(), false));
   CertifiedOrbit checked = certify(at_order, listed, confirmed, deadline);
   if (!checked.motion) return std::nullopt;
   FoundOrbit found = describe_orbit(problem, kept.order, std::move(checked));

@@ -10,9 +10,11 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/isolation/isolation.hpp"
+#include "harness/orbits/listed_motion.hpp"
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/plan/plan.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/text/json.hpp"
 
 namespace signorini {
@@ -22,6 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kDrawn = 300;  // instants of a motion that does not repeat
+constexpr int kPushing = 64;         // instants of a period at which a contact that pushes throughout does
 
 std::size_t most_moved(const Attractor& attractor) {
   std::size_t most = 0;
@@ -52,6 +55,12 @@ Attractor attractor_of(const LongMotion& motion) {
     found.largest.push_back(stop.x_max);
   }
   if (!found.least.empty()) found.once_a_period = once_a_period(motion, most_moved(found));
+  if (!motion.trajectory) return found;
+  for (const ContactEvent& event : motion.trajectory->events().value_or(std::vector<ContactEvent>{}))
+    found.events.push_back(
+        {.time = event.time, .contact = event.contact, .kind = event.kind, .value = event.impulse});
+  const Samples samples = motion.trajectory->sample(kPushing);
+  for (const auto& force : samples.force.colwise()) found.pushing.push_back(force.maxCoeff() < 0.0);
   return found;
 }
 
@@ -65,10 +74,36 @@ bool equal_extremes(const std::vector<double>& a, const std::vector<double>& b) 
   return difference <= kSame * largest;
 }
 
+bool repeats(const Attractor& one) {
+  return one.verdict == LongRun::periodic || one.verdict == LongRun::at_rest;
+}
+
+/// Whether it is a motion as short as branches may be.
+bool may_lie_on_branch(const Attractor& one, int max_order) {
+  return repeats(one) && one.order >= 1 && one.order <= max_order;
+}
+
+bool passes(const Branch& branch, double value, const Attractor& one) {
+  constexpr double kSameValue = 1e-10, kSame = 1e-5;
+  double scale = 0.0;
+  for (std::size_t j = 0; j < one.least.size(); ++j)
+    scale = std::max({scale, std::abs(one.least[j]), std::abs(one.largest[j])});
+  return std::ranges::any_of(branch.points, [&](const SolutionPoint& point) {
+    if (std::abs(point.parameter - value) > kSameValue * std::abs(value) || point.order != one.order)
+      return false;
+    for (std::size_t j = 0; j < one.least.size(); ++j) {
+      const double amplitude = 0.5 * (one.largest[j] - one.least[j]);
+      if (std::abs(point.x_max[j] - one.largest[j]) > kSame * scale ||
+          std::abs(point.amplitude[j] - amplitude) > kSame * scale)
+        return false;
+    }
+    return true;
+  });
+}
+
 bool same_attractor(const Attractor& a, const Attractor& b) {
   if (a.verdict != b.verdict || a.order != b.order) return false;
-  const bool repeats = a.verdict == LongRun::periodic || a.verdict == LongRun::at_rest;
-  return !repeats || (equal_extremes(a.least, b.least) && equal_extremes(a.largest, b.largest));
+  return !repeats(a) || (equal_extremes(a.least, b.least) && equal_extremes(a.largest, b.largest));
 }
 
 void add_attractor(Attractor found, AttractorsAt& at) {
@@ -103,6 +138,8 @@ AttractorsAt follow_starts(const Problem& problem, double value, const Attractor
 }
 
 Json attractor_json(const Attractor& one, int starts) {
+  Json events = Json::array();
+  for (const OrbitEvent& event : one.events) events.push_back(write_fields(event));
   return {{"verdict", name_of(one.verdict)},
           {"order", one.order > 0 ? Json(one.order) : Json()},
           {"starts", one.starts},
@@ -111,6 +148,9 @@ Json attractor_json(const Attractor& one, int starts) {
           {"x_min", one.least},
           {"x_max", one.largest},
           {"once_a_period", one.once_a_period},
+          {"events", events},
+          {"pushing", one.pushing},
+          {"on_branch", one.on_branch ? Json(*one.on_branch) : Json()},
           {"reason", one.reason}};
 }
 
@@ -133,7 +173,9 @@ AttractorsAt attractors_from_json(const Json& json) {
                              .least = one.at("x_min").get<std::vector<double>>(),
                              .largest = one.at("x_max").get<std::vector<double>>(),
                              .once_a_period = one.at("once_a_period").get<std::vector<double>>(),
-                             .reason = one.at("reason").get<std::string>()});
+                             .reason = one.at("reason").get<std::string>(),
+                             .pushing = one.at("pushing").get<std::vector<bool>>()});
+    for (const Json& event : one.at("events")) read_fields(event, at.attractors.back().events.emplace_back());
   }
   return at;
 }
@@ -177,19 +219,65 @@ std::vector<AttractorsAt> attractors_over(const ParametrisedScene& scene, const 
   return all;
 }
 
+std::vector<KnownMotion> motions_of(const ParametrisedScene& scene, const std::vector<AttractorsAt>& all,
+                                    int max_order) {
+  std::vector<KnownMotion> motions;
+  for (const AttractorsAt& at : all) {
+    for (const Attractor& one : at.attractors) {
+      if (!may_lie_on_branch(one, max_order)) continue;
+      const double period = one.order * scene.at(at.value).forcing_period();
+      motions.push_back(
+          {at.value, std::make_shared<ListedMotion>(period, contact_events(one.events), one.pushing)});
+    }
+  }
+  return motions;
+}
+
+void mark_on_branches(std::vector<AttractorsAt>& all, const std::vector<Branch>& branches) {
+  for (AttractorsAt& at : all) {
+    for (Attractor& one : at.attractors) {
+      if (!repeats(one)) continue;
+      one.on_branch =
+          std::ranges::any_of(branches, [&](const Branch& branch) { return passes(branch, at.value, one); });
+    }
+  }
+}
+
+std::vector<std::string> off_branches(const std::vector<AttractorsAt>& all, const std::string& unit,
+                                      int max_order) {
+  std::vector<std::string> lines;
+  for (const AttractorsAt& at : all) {
+    for (const Attractor& one : at.attractors) {
+      if (one.on_branch.value_or(true)) continue;
+      const std::string motion =
+          one.verdict == LongRun::at_rest
+              ? "a state of rest"
+              : fmt::format("a motion of {} period{}", one.order, one.order == 1 ? "" : "s");
+      lines.push_back(fmt::format("at {:.6g} {} {} of {} starts settle to {} that lies on no branch{}",
+                                  at.value, unit, one.starts, at.starts, motion,
+                                  one.order > max_order ? " (--max-order goes on)" : ""));
+    }
+  }
+  return lines;
+}
+
 Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& parameter) {
-  Table table{.header = {parameter, "goes to", "order", "share", "starts", "amplitude [m]", "from rest"},
+  Table table{.header = {parameter, "goes to", "order", "share", "starts", "amplitude [m]", "from rest",
+                         "on a branch"},
               .rows = {}};
   for (const AttractorsAt& at : all) {
     const Cell value(fmt::format("{:.10g}", at.value), at.value);
-    if (!at.failure.empty()) table.rows.push_back({value, at.failure, "-", "-", "-", "-", "-"});
+    if (!at.failure.empty()) table.rows.push_back({value, at.failure, "-", "-", "-", "-", "-", "-"});
     for (const Attractor& one : at.attractors) {
       const double share = static_cast<double>(one.starts) / at.starts;
       table.rows.push_back({value, std::string(name_of(one.verdict)),
                             one.order > 0 ? fmt::format("{}", one.order) : std::string("-"),
                             Cell(fmt::format("{:.2f}", share), share), fmt::format("{}", one.starts),
                             Cell(fmt::format("{:.6g}", one.amplitude()), one.amplitude()),
-                            one.from_rest ? "yes" : "no"});
+                            one.from_rest ? "yes" : "no",
+                            !one.on_branch   ? "-"
+                            : *one.on_branch ? "yes"
+                                             : "no"});
     }
   }
   return table;

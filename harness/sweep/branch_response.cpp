@@ -96,6 +96,12 @@ ParametrisedScene over_place(const SceneSource& source, const std::string& place
           }};
 }
 
+int default_orders(const Problem& problem, const MethodChoice& method) {
+  constexpr int kSmall = 10, kOrdersOfSmall = 6;
+  const bool small = problem.size() <= kSmall && highest_load_harmonic(problem) > 0;
+  return small && method.entry->exact ? kOrdersOfSmall : CurveLimits{}.max_order;
+}
+
 bool has_curve(const MethodChoice& method) { return method.make()->curve() != nullptr; }
 
 namespace {

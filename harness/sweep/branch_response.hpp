@@ -19,6 +19,11 @@ namespace signorini {
 /// these are finite and different, SceneError where they make no scene
 ParametrisedScene over_place(const SceneSource& source, const std::string& place, double from, double to);
 
+/// Longest period of motions looked for unless told otherwise [forcing periods]: six for exact orbits of a
+/// small scene, of at most ten coordinates and with a periodic load, where one branch takes some
+/// milliseconds; else that of CurveLimits.
+int default_orders(const Problem& problem, const MethodChoice& method);
+
 /// Whether a method follows curves of its own (Method::curve). \throws InvalidOption
 bool has_curve(const MethodChoice& method);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -33,7 +34,7 @@ void send_branches(const ParametrisedScene& scene, const MethodChoice& method, C
     ++sent;
   };
   try {
-    if (beginnings) limits.begin_at = beginnings();
+    if (beginnings) std::ranges::move(beginnings(), std::back_inserter(limits.begin_at));
     const BranchDiagram diagram = branches_of(scene, method, limits).value();
     while (sent < diagram.branches.size()) limits.take(diagram.branches[sent]);  // of a method that does not
     send(json_line(Json{{"unfinished", diagram.unfinished}, {"notes", diagram.notes}}));

@@ -21,8 +21,8 @@ struct IsolatedBranches {
 /// branches_of in a process of its own, which ends soon after `limits.deadline`, within Limits::memory_mb of
 /// default limits. `limits.take` is called here, with each branch as it arrives. Of a process that ends early
 /// the branches that had arrived are there, and `unfinished` says the failure.
-/// \param beginnings  makes CurveLimits::begin_at, in that process, if given \return nothing where the method
-/// has no curve of its own \throws UsageError as branches_of
+/// \param beginnings  makes more of CurveLimits::begin_at, in that process, if given \return nothing where
+/// the method has no curve of its own \throws UsageError as branches_of
 std::optional<IsolatedBranches> isolated_branches(
     const ParametrisedScene& scene, const MethodChoice& method, const CurveLimits& limits,
     const std::function<std::vector<KnownMotion>()>& beginnings = {});

@@ -39,7 +39,7 @@ class Beginnings {
     }
     add_one_impact();
     for (const KnownMotion& known : limits_.begin_at)
-      if (family_.driven()) add(known);
+      if (family_.driven()) add_known(known);
     if (orbits_.empty() && failure_) std::rethrow_exception(failure_);
     return std::move(orbits_);
   }
@@ -160,6 +160,14 @@ class Beginnings {
     OrbitModel model(with_subharmonic(problem, order));
     if (const auto orbit = orbit_guess(model, *known.motion))
       orbits_.push_back(sequenced(family_, *orbit, period, problem.frequency, known.parameter));
+  }
+
+  void add_known(const KnownMotion& known) {
+    try {
+      add(known);
+    } catch (const std::runtime_error&) {  // as of an answer
+      failure_ = std::current_exception();
+    }
   }
 
   // No fraction of the interval that its ends or a resonance would make a special one.

@@ -24,7 +24,6 @@
 #include "harness/terminal/sweep_output.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
-#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
@@ -111,30 +110,6 @@ int sweep_steps(const SweepArguments& arguments) {
   return all_converged(response.steps) ? kDone : kUnexpectedFailure;
 }
 
-// The scene with the number asked for left free. \throws UsageError
-ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& scene) {
-  const SweepRange& range = arguments.range;
-  const bool followed = !arguments.natural && !arguments.methods.empty();
-  if (!range.at.empty() && range.from == range.to && followed)
-    throw UsageError("--from and --to are required with a single value of --at by arc length");
-  if (arguments.parameter == kFrequency) {
-    (void)sweep_frequencies(range);  // refuses a range that is none
-    return over_frequency(scene.problem, range.from, range.to);
-  }
-  if (arguments.parameter == kEnergy) {
-    const Problem& problem = scene.problem;
-    if (!(range.from > 0.0 && range.to > 0.0) || range.from == range.to)
-      throw UsageError("--from and --to must be different energies above 0");
-    return {.parameter = arguments.parameter, .from = range.from, .to = range.to, .at = [problem](double) {
-              return problem;
-            }};
-  }
-  if (arguments.natural)
-    throw UsageError(
-        fmt::format("parameter = {} (must be {} with --natural)", arguments.parameter, kFrequency));
-  return over_place(find_scene(arguments.scene), arguments.parameter, range.from, range.to);
-}
-
 // An empty response of a method.
 MethodResponse blank_response(const SweepArguments& arguments, const Scene& scene,
                               const MethodChoice& method) {
@@ -154,11 +129,11 @@ void replay(const MethodResponse& response, ResponseStream& stream) {
 }
 
 // Motions at which branches begin too, of as many searches as are asked for.
-std::vector<KnownMotion> searched(const SweepArguments& arguments, const ParametrisedScene& varied) {
+std::vector<KnownMotion> searched(const SweepArguments& arguments, const ParametrisedScene& varied,
+                                  int max_order) {
   constexpr double kShareOfSearches = 0.5;  // of the time
   if (arguments.searches == 0) return {};
-  return searched_motions(varied, arguments.searches, arguments.branches.max_order,
-                          kShareOfSearches * arguments.total_time);
+  return searched_motions(varied, arguments.searches, max_order, kShareOfSearches * arguments.total_time);
 }
 
 // What one method makes of the response, kept and printed as it comes where the format allows.
@@ -168,7 +143,9 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
   const std::vector<double>& values = arguments.range.at;
   MethodResponse response = blank_response(arguments, scene, method);
   CurveLimits limits = arguments.branches;
-  limits.at = values;
+  limits.max_order = arguments.max_order.value_or(default_orders(scene.problem, method));
+  if (!method.entry->exact) limits.begin_at.clear(), limits.at.clear();
+  limits.at.insert(limits.at.end(), values.begin(), values.end());
   limits.deadline = Deadline::after(arguments.total_time);
   if (arguments.bifurcation) limits.phases = 1;
   limits.take = [&](const Branch& branch) {
@@ -180,7 +157,8 @@ MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
   if (!arguments.natural) {
     std::optional<Waiting> waiting;  // unless lines come meanwhile
     if (!stream.prints()) waiting.emplace("following branches of " + response.method);
-    own = isolated_branches(varied, method, limits, [&] { return searched(arguments, varied); });
+    own = isolated_branches(varied, method, limits,
+                            [&] { return searched(arguments, varied, limits.max_order); });
   }
   if (!own) {
     response.steps = steps(arguments, scene, method, [&](const SweepPoint& point) {
@@ -283,7 +261,48 @@ int sweep_branches(const SweepArguments& arguments) {
   return complete ? kDone : kIncomplete;
 }
 
-void print_attractors(const SweepArguments& arguments, const std::vector<MethodResponse>& responses,
+std::vector<AttractorsAt> followed_starts(const SweepArguments& arguments, const Scene& scene,
+                                          const ParametrisedScene& varied,
+                                          const std::vector<double>& values) {
+  AttractorOptions options = arguments.attractors;
+  options.timeout = arguments.limits.timeout;
+  Progress progress(values.size());
+  progress.begin(scene.problem.name);
+  return attractors_over(varied, values, options, [&] {
+    progress.advance();
+    progress.begin(scene.problem.name);
+  });
+}
+
+// Branches of the methods, those of exact orbits begun at the attractors too, and what they leave out of
+// these.
+struct AttractorBranches {
+  std::vector<MethodResponse> responses = {};
+  bool all = true;  // methods have branches
+  std::vector<std::string> off = {};
+};
+
+AttractorBranches branches_at(std::vector<AttractorsAt>& found, const SweepArguments& arguments,
+                              const Scene& scene, const ParametrisedScene& varied,
+                              const std::vector<double>& values) {
+  SweepArguments silent = arguments;
+  silent.format = "json";  // what comes is printed at the end
+  const MethodChoice exact{.entry = &exact_method()};
+  const int orders = arguments.max_order.value_or(default_orders(scene.problem, exact));
+  silent.branches.begin_at = motions_of(varied, found, orders);
+  silent.branches.at = values;
+  AttractorBranches result;
+  result.responses = branches_of_methods(silent, scene, varied, result.all);
+  for (const MethodResponse& response : result.responses) {
+    if (parse_method_label(response.method).method != exact.entry->name) continue;
+    mark_on_branches(found, response.diagram.branches);
+    result.off = off_branches(
+        found, arguments.parameter == kFrequency ? "rad/s" : "of " + arguments.parameter, orders);
+  }
+  return result;
+}
+
+void print_attractors(const SweepArguments& arguments, const AttractorBranches& branches,
                       const std::vector<AttractorsAt>& found) {
   if (arguments.format == "json" || arguments.format == "jsonl") {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -292,15 +311,17 @@ void print_attractors(const SweepArguments& arguments, const std::vector<MethodR
       for (const auto& at : list) fmt::print("{}\n", json_line(at));
       return;
     }
-    nlohmann::ordered_json json = to_json(responses);
+    nlohmann::ordered_json json = to_json(branches.responses);
     json["parameter"] = arguments.parameter;
     json["attractors"] = list;
+    json["off_branches"] = branches.off;
     fmt::print("{}\n", json_line(json));
     return;
   }
-  if (arguments.format == "text" && !responses.empty()) print(arguments, responses);
+  if (arguments.format == "text" && !branches.responses.empty()) print(arguments, branches.responses);
   const std::string title = arguments.parameter == kFrequency ? "frequency [rad/s]" : arguments.parameter;
   fmt::print("{}", table_text(arguments, attractor_table(found, title)));
+  for (const std::string& line : branches.off) fmt::print(stderr, "{}\n", line);
 }
 
 // Where trajectories go, over the branches of methods if there are any.
@@ -313,49 +334,20 @@ int sweep_attractors(const SweepArguments& arguments) {
                                  scene.problem.name, obstacle));
   const ParametrisedScene varied = parametrised(arguments, scene);
   const std::vector<double> values = attractor_values(arguments);
-  SweepArguments silent = arguments;
-  silent.format = "json";  // what comes is printed at the end
-  bool all = true;
-  std::vector<MethodResponse> responses;
-  if (!arguments.methods.empty()) responses = branches_of_methods(silent, scene, varied, all);
   watch_interrupts();
-  AttractorOptions options = arguments.attractors;
-  options.timeout = arguments.limits.timeout;
-  std::vector<AttractorsAt> found;
-  {
-    Progress progress(values.size());
-    progress.begin(scene.problem.name);
-    found = attractors_over(varied, values, options, [&] {
-      progress.advance();
-      progress.begin(scene.problem.name);
-    });
-  }
-  print_attractors(arguments, responses, found);
+  std::vector<AttractorsAt> found = followed_starts(arguments, scene, varied, values);
+  AttractorBranches branches;
+  if (!arguments.methods.empty()) branches = branches_at(found, arguments, scene, varied, values);
+  print_attractors(arguments, branches, found);
   if (!arguments.plot.empty()) {
     const auto ordinate =
         arguments.bifurcation ? ResponseOrdinate::once_a_period : ResponseOrdinate::amplitude;
-    write_plot(arguments.plot, response_plot(scene.problem.name, responses, ordinate, arguments.column, found,
-                                             arguments.parameter));
+    write_plot(arguments.plot, response_plot(scene.problem.name, branches.responses, ordinate,
+                                             arguments.column, found, arguments.parameter));
   }
   if (interrupted()) return kInterrupted;
   const bool told = std::ranges::all_of(found, [](const AttractorsAt& at) { return at.failure.empty(); });
-  return all && told ? kDone : kUnexpectedFailure;
-}
-
-// Free motions have an interval of their own, and one method follows them.
-void complete_free_motions(SweepArguments& arguments) {
-  const bool no_interval =
-      arguments.parameter == kFrequency && !arguments.from && !arguments.to && arguments.range.at.empty();
-  if (!arguments.method.empty() || arguments.natural || arguments.attractors.starts > 0) return;
-  if (!no_interval && !arguments.methods.empty()) return;
-  const Problem problem = read_scene(find_scene(arguments.scene)).problem;
-  if (highest_load_harmonic(problem) > 0 || !continuation_obstacle(problem).empty()) return;
-  if (arguments.methods.empty()) arguments.methods = exact_method().name;
-  const auto band = no_interval ? free_motion_band(problem) : std::nullopt;
-  if (!band) return;
-  arguments.from = band->low;
-  arguments.to = band->high;
-  arguments.hertz = false;
+  return !(branches.all && told) ? kUnexpectedFailure : branches.off.empty() ? kDone : kIncomplete;
 }
 
 int sweep(SweepArguments arguments) {

@@ -9,6 +9,8 @@
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
 #include "harness/text/columns.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 
@@ -22,10 +24,10 @@ void add_branch_options(const Command& command, SweepArguments& arguments) {
               "energy: that of free motions [J]")
       .shows_default();
   command
-      .option("--max-order,--orders", arguments.branches.max_order,
-              "by arc length: longest period [forcing periods]")
-      .range(1, 12)
-      .shows_default();
+      .option("--max-order,--orders", arguments.max_order,
+              "by arc length: longest period [forcing periods]; 6 of exact-orbit on scenes of at most ten "
+              "coordinates, else 2")
+      .range(1, 12);
   command.option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all")
       .range(1, 10000)
       .shows_default();
@@ -51,8 +53,8 @@ void add_attractor_options(const Command& command, SweepArguments& arguments) {
       .option(
           "--attractors", arguments.attractors.starts,
           "at each value follow the motion from rest and from random states, so many starts in all: where "
-          "they go, to which order or an irregular motion, and how many; drawn over the branches of "
-          "--methods")
+          "they go, to which order or an irregular motion, and how many. With --methods exact-orbit branches "
+          "begin at these motions too, and what lies on no branch is said")
       .range(1, 10000);
   command.option("--jobs", arguments.attractors.jobs, "with --attractors: values looked at at the same time")
       .range(1, 1024)
@@ -146,6 +148,44 @@ SweepRange interval(const SweepArguments& given) {
   return range;
 }
 
+ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& scene) {
+  const SweepRange& range = arguments.range;
+  const bool followed = !arguments.natural && !arguments.methods.empty();
+  if (!range.at.empty() && range.from == range.to && followed)
+    throw UsageError("--from and --to are required with a single value of --at by arc length");
+  if (arguments.parameter == kFrequency) {
+    (void)sweep_frequencies(range);  // refuses a range that is none
+    return over_frequency(scene.problem, range.from, range.to);
+  }
+  if (arguments.parameter == kEnergy) {
+    const Problem& problem = scene.problem;
+    if (!(range.from > 0.0 && range.to > 0.0) || range.from == range.to)
+      throw UsageError("--from and --to must be different energies above 0");
+    return {.parameter = arguments.parameter, .from = range.from, .to = range.to, .at = [problem](double) {
+              return problem;
+            }};
+  }
+  if (arguments.natural)
+    throw UsageError(
+        fmt::format("parameter = {} (must be {} with --natural)", arguments.parameter, kFrequency));
+  return over_place(find_scene(arguments.scene), arguments.parameter, range.from, range.to);
+}
+
+void complete_free_motions(SweepArguments& arguments) {
+  const bool no_interval =
+      arguments.parameter == kFrequency && !arguments.from && !arguments.to && arguments.range.at.empty();
+  if (!arguments.method.empty() || arguments.natural || arguments.attractors.starts > 0) return;
+  if (!no_interval && !arguments.methods.empty()) return;
+  const Problem problem = read_scene(find_scene(arguments.scene)).problem;
+  if (highest_load_harmonic(problem) > 0 || !continuation_obstacle(problem).empty()) return;
+  if (arguments.methods.empty()) arguments.methods = exact_method().name;
+  const auto band = no_interval ? free_motion_band(problem) : std::nullopt;
+  if (!band) return;
+  arguments.from = band->low;
+  arguments.to = band->high;
+  arguments.hertz = false;
+}
+
 std::vector<double> attractor_values(const SweepArguments& arguments) {
   const SweepRange& range = arguments.range;
   if (arguments.parameter == kFrequency) return sweep_frequencies(range);
@@ -178,7 +218,8 @@ nlohmann::ordered_json question_of(const SweepArguments& arguments, const Scene&
           {"down", range.back},
           {"certify", arguments.limits.certified},
           {"timeout", arguments.limits.timeout},
-          {"max-order", branches.max_order},
+          {"max-order", arguments.max_order ? nlohmann::ordered_json(*arguments.max_order)
+                                            : nlohmann::ordered_json("as it costs little")},
           {"max-branches", branches.max_branches},
           {"max-points", branches.max_points},
           {"total-time", arguments.total_time},

@@ -23,8 +23,9 @@ struct SweepArguments {
   SweepRange range;
   SweepLimits limits;
   CurveLimits branches;
-  double total_time = 60.0;  ///< of all branches of a method [s]
-  int searches = 0;          ///< values of the parameter at which all orbits are searched
+  std::optional<int> max_order = {};  ///< of the branches; default_orders if not given
+  double total_time = 60.0;           ///< of all branches of a method [s]
+  int searches = 0;                   ///< values of the parameter at which all orbits are searched
   std::string parameter{kFrequency};
   std::optional<double> from, to;
   bool hertz = false;  ///< from, to and range.at are in Hz
@@ -48,6 +49,13 @@ void add_sweep_options(const Command& command, SweepArguments& arguments);
 /// largest of the values asked for. \throws UsageError where an end is missing, or a value is not between
 /// them
 SweepRange interval(const SweepArguments& arguments);
+
+/// The scene with the number asked for left free. \throws UsageError
+ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& scene);
+
+/// Free motions have an interval of their own, and one method follows them: both are set where the command
+/// line leaves them open.
+void complete_free_motions(SweepArguments& arguments);
 
 /// The values of the parameter at which motions are followed: those asked for, else equally spaced, of a
 /// frequency as sweep_frequencies has them. \throws UsageError

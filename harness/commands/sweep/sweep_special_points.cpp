@@ -24,6 +24,7 @@ void send_special_points(const SweepArguments& arguments, const LineSender& send
   try {
     const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
     CurveLimits limits = arguments.branches;
+    limits.max_order = arguments.max_order.value_or(limits.max_order);
     limits.deadline = Deadline::after(arguments.total_time);
     const std::string& second = arguments.second.place;
     const BifurcationCurves response =

@@ -72,6 +72,16 @@ std::optional<double> value_to_ask(const std::vector<OrbitBranch>& branches,
   return value;
 }
 
+// Whether what begins on a branch is followed: cascades are infinite, and of motions of more than two periods
+// only those lead on that are stable somewhere.
+bool leads_on(const OrbitBranch& branch) {
+  constexpr int kAllLeadOn = 2;  // forcing periods
+  return branch.points.front().order <= kAllLeadOn ||
+         std::ranges::any_of(branch.points, [](const SolutionPoint& point) {
+           return point.stability == OrbitStability::stable || point.stability == OrbitStability::elliptic;
+         });
+}
+
 class DiagramTracer {
  public:
   DiagramTracer(OrbitFamily& family, const CurveLimits& limits, const std::optional<ParameterRange>& energies)
@@ -97,6 +107,8 @@ class DiagramTracer {
     if (too_long_ > 0)
       note(fmt::format("{} period doublings not followed (period > {}; --max-order {})", too_long_,
                        limits_.max_order, 2 * limits_.max_order));
+    if (dead_ends_ > 0)
+      note(fmt::format("{} unstable branches of more than two periods not followed on", dead_ends_));
     return queue_.finish<OrbitDiagram>();
   }
 
@@ -194,6 +206,7 @@ class DiagramTracer {
     for (const std::string& undecided : curve.notes) note(undecided);
     queue_.keep(curve.branch);
     end_here(start.orbit);
+    if (!leads_on(curve.branch)) return void(++dead_ends_);
     leave(curve);
   }
 
@@ -267,7 +280,7 @@ class DiagramTracer {
   const std::optional<ParameterRange>& energies_;
   CurveQueue<CurveStart, OrbitBranch> queue_;
   std::vector<OrbitMark> ends_, grazings_, doubled_, crossed_, changed_;
-  int too_long_ = 0;
+  int too_long_ = 0, dead_ends_ = 0;
 };
 
 }  // namespace

@@ -19,7 +19,8 @@ using OrbitsAt = std::function<std::vector<SequencedOrbit>(double parameter)>;
 /// - at a period doubling the doubled orbit.
 ///
 /// Given orbits that do not hold the contact conditions, or lie on a branch that has been traced, are left
-/// out. Orbits of smaller periods first. What a limit leaves undone is said in `unfinished`, what is met and
+/// out. Branches of more than two periods that are stable nowhere lead on to no others. Orbits of smaller
+/// periods first. What a limit leaves undone is said in `unfinished`, what is met and
 /// not followed in `notes`: it is an end of its branch all the same.
 /// \param more  asked for orbits where the branches from `seeds` leave more than a hundredth of the interval
 ///              out, in the widest gap first, four times at most

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "harness/plan/plan.hpp"
+#include "harness/sweep/branch_json.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/program.hpp"
 
@@ -50,6 +53,71 @@ TEST(Attractors, CommandTellsIrregularMotionsAndTheirShare) {
   EXPECT_EQ(at["attractors"][0]["verdict"], "irregular");
   EXPECT_TRUE(at["attractors"][0]["order"].is_null());
   EXPECT_EQ(at["attractors"][0]["share"], 1.0);
+}
+
+// A motion of three periods with one landing, which most starts reach from 3.57 to 3.98 rad/s; time marching
+// and continuation share no way to it.
+TEST(Attractors, OfThreePeriodsLieOnABranchOfDefaultOptions) {
+  const Problem problem = read_scene(find_scene("sdof-stop-e0")).problem;
+  std::vector<AttractorsAt> found =
+      attractors_over(over_frequency(problem, 3.7, 3.9), {3.8}, {.starts = 4, .jobs = 1});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].attractors.at(0).order, 3);
+  const test::Outcome outcome = test::run_program(
+      "sweep sdof-stop-e0 --methods exact-orbit --from 3.7 --to 3.9 --at 3.8 --format jsonl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::vector<Branch> branches;
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) branches.push_back(branch_from_json(Json::parse(line)));
+  mark_on_branches(found, branches);
+  for (const Attractor& one : found[0].attractors) EXPECT_TRUE(one.on_branch.value()) << one.order;
+  EXPECT_TRUE(off_branches(found, "rad/s", 6).empty());
+}
+
+// Five impacts in three periods: no answer, no orbit of one impact and no other branch leads to it.
+TEST(Attractors, AreBeginningsOfBranches) {
+  const test::TemporaryFolder folder;
+  const std::string scene = folder
+                                .write("isolated.toml", R"(schema = 1
+name = "isolated"
+system = { kind = "sdof", mass = 1.0, damping = 0.14429, stiffness = 1.0 }
+forcing = { frequency = 1.35 }
+contact = [{ dof = 0, gap = -0.26994 }]
+law = { restitution = 0.756 }
+)")
+                                .string();
+  const std::string sweep =
+      "sweep " + scene + " --methods exact-orbit --from 1.34 --to 1.36 --at 1.35 --format json";
+  const auto of_three_periods = [](const std::string& out) {
+    const Json branches = Json::parse(out).at("branches");
+    return std::ranges::count_if(branches, [](const Json& branch) {
+      return !branch["points"].empty() && branch["points"][0]["order"] == 3;
+    });
+  };
+  EXPECT_EQ(of_three_periods(test::run_program(sweep).out), 0);
+  const test::Outcome begun = test::run_program(sweep + " --attractors 3");
+  EXPECT_EQ(begun.code, 0) << begun.err;
+  EXPECT_EQ(of_three_periods(begun.out), 1);
+  const Json json = Json::parse(begun.out);
+  EXPECT_TRUE(json["off_branches"].empty());
+  EXPECT_EQ(json["attractors"][0]["attractors"][0]["order"], 3);
+  EXPECT_EQ(json["attractors"][0]["attractors"][0]["on_branch"], true);
+}
+
+TEST(Attractors, ThatLieOnNoBranchAreTold) {
+  Attractor one{.verdict = LongRun::periodic, .order = 3, .starts = 5, .least = {-0.5}, .largest = {0.2}};
+  std::vector<AttractorsAt> all{{.value = 2.31, .starts = 24, .attractors = {one}}};
+  const auto branch = [](double amplitude, int order) {
+    return Branch{.points = {{.parameter = 2.31, .order = order, .x_max = {0.2}, .amplitude = {amplitude}}}};
+  };
+  mark_on_branches(all, {branch(0.35, 3)});
+  EXPECT_TRUE(off_branches(all, "rad/s", 6).empty());
+  for (const Branch& other : {branch(0.3501, 3), branch(0.35, 1)}) {
+    mark_on_branches(all, {other});
+    EXPECT_EQ(off_branches(all, "rad/s", 6),
+              std::vector<std::string>{
+                  "at 2.31 rad/s 5 of 24 starts settle to a motion of 3 periods that lies on no branch"});
+  }
 }
 
 TEST(Attractors, CommandRefusesWhatGoesWithoutThem) {

@@ -77,7 +77,9 @@ TEST(CommandSweep, HoldsTheSpecialPointsOfTheImpactOscillator) {
     EXPECT_LT(distance(response, "fold", truth.fold), 1e-9) << truth.scene;
     EXPECT_LT(distance(response, "period-doubling", truth.doubling_of_two), 1e-9) << truth.scene;
     EXPECT_EQ(response["unfinished"], "");
-    EXPECT_EQ(response["branches"].size(), 4U) << truth.scene;  // the orbit found at 1.5 lies on one of them
+    const auto short_ones = std::ranges::count_if(
+        response["branches"], [](const auto& branch) { return branch["points"][0]["order"] <= 2; });
+    EXPECT_EQ(short_ones, 4) << truth.scene;  // the orbit found at 1.5 lies on one of them
     for (const auto& branch : response["branches"]) {
       EXPECT_EQ(branch["method"], "exact-orbit");
       EXPECT_FALSE(branch["ended"].get<std::string>().empty());

@@ -175,8 +175,8 @@ TEST(CommandSweep, RefusesFoldersInOneLine) {
     EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
-  refused(command + "--resume --max-order 1", "max-order = 1 (must be 2 as in");
-  refused(command + "--resume --orders 3", "max-order = 3 (must be 2 as in");
+  refused(command + "--resume --max-order 1", "max-order = 1 (must be \"as it costs little\" as in");
+  refused(command + "--resume --orders 3", "max-order = 3 (must be \"as it costs little\" as in");
   refused("sweep sdof-stop --methods exact-orbit --from 2.5 --to 3 --resume", "resume (must go with --out)");
   const std::string into =
       "sweep sdof-stop --methods exact-orbit --from 2.5 --to 3 --out " + folder.path().string();
