@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "methods/continuation/arc_length.hpp"
@@ -121,6 +122,27 @@ std::optional<NodeChange> first_change(HatCurve& curve, const CurveStep& step, i
     first->length = length = *located;
   }
   return first;
+}
+
+/// Takes out pairs of folds between which the frequency goes back by less than a node's share of it: a
+/// staircase has them at every step, the motion none.
+void leave_out_folds_of_grid(int samples, Branch& branch) {
+  const auto fold = [](const SpecialPoint& special) { return special.kind == SpecialKind::fold; };
+  for (;;) {
+    auto narrowest = branch.special.end(), partner = narrowest, before = narrowest;
+    double least = 1.0 / samples;
+    for (auto here = branch.special.begin(); here != branch.special.end(); ++here) {
+      if (!fold(*here)) continue;
+      if (before != branch.special.end()) {
+        const double back = std::abs(here->point.frequency / before->point.frequency - 1.0);
+        if (back < least) std::tie(least, narrowest, partner) = std::tuple(back, before, here);
+      }
+      before = here;
+    }
+    if (narrowest == branch.special.end()) return;
+    branch.special.erase(partner);  // the later one first
+    branch.special.erase(narrowest);
+  }
 }
 
 class HatTracer final : public CurveTracer<HatStart> {
@@ -293,6 +315,7 @@ TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveL
                     const FollowedCurves& followed) {
   HatTracer tracer(family, start, limits, followed);
   TracedBranch<HatStart> traced = tracer.run();
+  leave_out_folds_of_grid(family.samples, traced.branch);
   return {std::move(traced), tracer.take_grazings()};
 }
 

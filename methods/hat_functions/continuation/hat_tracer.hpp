@@ -34,7 +34,8 @@ struct TracedHat : TracedBranch<HatStart> {
 /// grazing of rigid stops).
 ///
 /// On rigid stops that carry mass the phase of an impact is that of a node: a branch is a staircase whose
-/// steps are of the size of the grid's, with folds that are those of the grid.
+/// steps are of the size of the grid's. Folds between which the frequency goes back by less than a share 1 /
+/// N of itself are those of the grid, and left out.
 ///
 /// \param followed  may end the curve
 TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
