@@ -25,7 +25,7 @@ std::string point_line(const SolutionPoint& point, const std::string& words) {
                      kPointIndent + kEnergyColumn, words, kSweepColumns);
 }
 
-/// "all stable", "30 stable, 36 unstable": how many points are what.
+/// "all stable", "30 stable, 36 unstable": how many points are what, which adds up to all of them.
 std::string stability_counts(const std::vector<SolutionPoint>& points) {
   std::string text;
   const auto tell = [&](std::ptrdiff_t count, const std::string& word) {
@@ -39,9 +39,13 @@ std::string stability_counts(const std::vector<SolutionPoint>& points) {
        {OrbitStability::stable, OrbitStability::elliptic, OrbitStability::unstable, OrbitStability::unknown})
     tell(std::ranges::count(points, stability, &SolutionPoint::stability),
          stability == OrbitStability::unknown ? "of unknown stability" : describe(stability));
-  tell(std::ranges::count_if(points, [](const SolutionPoint& point) { return !point.undefined.empty(); }),
-       "undefined by the order of simultaneous impacts");
-  return text.empty() ? "none with multipliers" : text;
+  const auto by_order = std::ranges::count_if(points, [](const SolutionPoint& point) {
+    return point.stability == OrbitStability::undefined && !point.undefined.empty();
+  });
+  tell(by_order, "undefined by the order of simultaneous impacts");
+  tell(std::ranges::count(points, OrbitStability::undefined, &SolutionPoint::stability) - by_order,
+       "undefined where an impact grazes");
+  return text;
 }
 
 /// Whether the branch ends at the special point for that reason, which is said once.

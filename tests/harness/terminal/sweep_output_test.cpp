@@ -45,6 +45,21 @@ TEST(SweepText, ShowsWhereBranchesBeginChangeAndEnd) {
             "          3.25              2   ends: end of the interval\n");
 }
 
+TEST(SweepText, CountsEveryPointOnce) {
+  MethodResponse response = response_with_a_fold();
+  std::vector<SolutionPoint>& points = response.diagram.branches[1].points;
+  points.push_back(point(3.2, 2.0, OrbitStability::undefined, 2));
+  points.push_back(point(3.1, 2.0, OrbitStability::undefined, 2));
+  points.back().undefined = "it depends on the order";
+  const std::string text = sweep_text({response});
+  EXPECT_NE(
+      text.find(
+          "5 points, 1 stable, 2 unstable, 1 undefined by the order of simultaneous impacts, 1 undefined "
+          "where an impact grazes\n"),
+      std::string::npos)
+      << text;
+}
+
 TEST(SweepText, BreaksLongReasons) {
   MethodResponse response = response_with_a_fold();
   response.diagram.branches[0].ended = std::string(30, 'a') + " " + std::string(30, 'b');
