@@ -22,7 +22,7 @@ enum ExitCode : int {
   kNothingMatched = 3,
   kRegression = 4,
   kInternalError = 5,
-  kIncomplete = 6,  ///< a response that does not cover its interval
+  kIncomplete = 6,  ///< a response that leaves out parts of its interval, or motions that starts settle to
   kInterrupted = 130
 };
 

@@ -10,27 +10,43 @@ namespace signorini {
 
 namespace {
 
+/// An element with the size of its motion.
+struct SizedElement : CurveElement {
+  Eigen::RowVectorXd size = {};
+};
+
 /// Elements in the order of their frequencies, so that those near one are found by bisection.
-std::vector<CurveElement> ordered(std::vector<CurveElement> elements) {
+std::vector<SizedElement> ordered(std::vector<CurveElement> elements) {
   std::ranges::stable_sort(elements, {}, [](const CurveElement& e) { return e.middle.frequency; });
-  return elements;
+  std::vector<SizedElement> sized;
+  for (CurveElement& element : elements) {
+    Eigen::RowVectorXd size = ResponseMetric::size_of(element.middle.motion);
+    sized.push_back({std::move(element), std::move(size)});
+  }
+  return sized;
 }
 
+constexpr int kAllOrders = std::numeric_limits<int>::max();
+
 /// Distance from a point to the nearest of the elements; infinite beyond kWideTolerance.
-double nearest(const ResponsePoint& point, const std::vector<CurveElement>& elements,
+double nearest(const ResponsePoint& point, const std::vector<SizedElement>& elements,
                const ResponseMetric& metric, double reach) {
-  const auto frequency = [](const CurveElement& e) { return e.middle.frequency; };
+  const auto frequency = [](const SizedElement& e) { return e.middle.frequency; };
+  const Eigen::RowVectorXd size = ResponseMetric::size_of(point.motion);
   const auto first = std::ranges::lower_bound(elements, point.frequency - reach, {}, frequency);
   const auto last = std::ranges::upper_bound(elements, point.frequency + reach, {}, frequency);
   double least = std::numeric_limits<double>::infinity();
-  for (auto element = first; element != last && least > 0.0; ++element)
+  for (auto element = first; element != last && least > 0.0; ++element) {
+    if (element->middle.order != point.order || metric.between(size, element->size) >= least) continue;
     least = std::min(least, metric(point, element->middle));
+  }
   return least;
 }
 
-double total(const std::vector<CurveElement>& elements) {
+double total(const std::vector<SizedElement>& elements, int orders = kAllOrders) {
   double length = 0.0;
-  for (const CurveElement& element : elements) length += element.length;
+  for (const SizedElement& element : elements)
+    if (element.middle.order <= orders) length += element.length;
   return length;
 }
 
@@ -39,25 +55,33 @@ struct Covered {
   double length = 0.0, stable = 0.0, all_stable = 0.0;
 };
 
-Covered covered(const std::vector<CurveElement>& elements, const std::vector<double>& distances,
-                double tolerance) {
+/// \param orders  of `length`; `stable` and `all_stable` are of every order
+Covered covered(const std::vector<SizedElement>& elements, const std::vector<double>& distances,
+                double tolerance, int orders = kAllOrders) {
   Covered sum;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const bool stable = elements[i].middle.stable.value_or(false);
     if (stable) sum.all_stable += elements[i].length;
     if (!(distances[i] <= tolerance)) continue;
-    sum.length += elements[i].length;
+    if (elements[i].middle.order <= orders) sum.length += elements[i].length;
     if (stable) sum.stable += elements[i].length;
   }
   return sum;
 }
 
-std::vector<double> distances(const std::vector<CurveElement>& from, const std::vector<CurveElement>& to,
+std::vector<double> distances(const std::vector<SizedElement>& from, const std::vector<SizedElement>& to,
                               const ResponseMetric& metric, double window) {
   std::vector<double> result;
-  for (const CurveElement& element : from)
+  for (const SizedElement& element : from)
     result.push_back(nearest(element.middle, to, metric, kWideTolerance * window));
   return result;
+}
+
+/// The distances of elements with 0 where a motion is on no exact branch but one of the scene.
+void add_true_motions(const std::vector<SizedElement>& claimed, const ComparisonOptions& options,
+                      std::vector<double>& distances) {
+  for (std::size_t i = 0; options.is_true && i < claimed.size(); ++i)
+    if (distances[i] > kWideTolerance && options.is_true(claimed[i].middle)) distances[i] = 0.0;
 }
 
 SpecialKind kind_of(const LocatedPoint& point) {
@@ -106,7 +130,7 @@ std::vector<LocatedPoint> distinct_points(std::vector<LocatedPoint> points, doub
 std::vector<ResponseBranch> beside_branches(const ResponseCurve& branches, const ResponseCurve& steps,
                                             const ResponseMetric& metric, double window) {
   const double reach = kCloseTolerance * window;
-  const std::vector<CurveElement> followed = ordered(elements_of(branches, metric));
+  const std::vector<SizedElement> followed = ordered(elements_of(branches, metric));
   std::vector<ResponsePoint> kept;
   const auto known = [&](const ResponsePoint& point) {
     return nearest(point, followed, metric, reach) <= kCloseTolerance ||
@@ -132,22 +156,26 @@ std::vector<ResponseBranch> beside_branches(const ResponseCurve& branches, const
 }
 
 CurveComparison compare_curves(const ResponseCurve& exact, const ResponseCurve& curve,
-                               const ResponseMetric& metric, double window) {
-  const std::vector<CurveElement> truth = ordered(elements_of(exact, metric));
-  const std::vector<CurveElement> claimed = ordered(elements_of(curve, metric));
+                               const ResponseMetric& metric, double window,
+                               const ComparisonOptions& options) {
+  const std::vector<SizedElement> truth = ordered(elements_of(exact, metric));
+  const std::vector<SizedElement> claimed = ordered(elements_of(curve, metric));
   const std::vector<double> to_curve = distances(truth, claimed, metric, window);
-  const std::vector<double> to_exact = distances(claimed, truth, metric, window);
-  CurveComparison result{.exact_length = total(truth), .length = total(claimed)};
+  std::vector<double> to_exact = distances(claimed, truth, metric, window);
+  CurveComparison result{.exact_length = total(truth, options.orders), .length = total(claimed)};
+  add_true_motions(claimed, options, to_exact);
   for (const auto& [tolerance, shares] :
        {std::pair{kCloseTolerance, &result.close}, std::pair{kWideTolerance, &result.wide}}) {
-    const Covered of_truth = covered(truth, to_curve, tolerance);
+    const Covered of_truth = covered(truth, to_curve, tolerance, options.orders);
     const Covered of_claimed = covered(claimed, to_exact, tolerance);
     if (result.exact_length > 0.0) shares->covered = of_truth.length / result.exact_length;
     if (of_truth.all_stable > 0.0) shares->covered_stable = of_truth.stable / of_truth.all_stable;
     if (result.length > 0.0) shares->false_share = 1.0 - of_claimed.length / result.length;
     result.right_length = of_claimed.length;  // that of the wider tolerance, which comes last
   }
-  match_points(distinct_points(exact.located, window), distinct_points(curve.located, window), window,
+  std::vector<LocatedPoint> to_locate = exact.located;
+  std::erase_if(to_locate, [&](const LocatedPoint& point) { return point.order > options.orders; });
+  match_points(distinct_points(std::move(to_locate), window), distinct_points(curve.located, window), window,
                result);
   return result;
 }

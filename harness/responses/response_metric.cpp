@@ -36,6 +36,15 @@ double ResponseMetric::apart(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
   return std::sqrt(square) / amplitude_;
 }
 
+Eigen::RowVectorXd ResponseMetric::size_of(const Eigen::MatrixXd& motion) {
+  if (motion.size() == 0) return {};
+  return (motion.rowwise() - motion.colwise().mean()).array().square().colwise().mean().sqrt();
+}
+
+double ResponseMetric::between(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) const {
+  return a.size() == 0 ? 0.0 : (a - b).cwiseAbs().maxCoeff() / amplitude_;
+}
+
 double ResponseMetric::across(const ResponsePoint& a, const ResponsePoint& b) const {
   return std::abs(a.frequency - b.frequency) / window_;
 }

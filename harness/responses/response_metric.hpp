@@ -32,6 +32,10 @@ class ResponseMetric {
 
   /// d; points of different order are infinitely far.
   [[nodiscard]] double operator()(const ResponsePoint& a, const ResponsePoint& b) const;
+  /// The size of a motion: root mean square of each x_j about its mean, Nc [m].
+  [[nodiscard]] static Eigen::RowVectorXd size_of(const Eigen::MatrixXd& motion);
+  /// A lower bound of d from the sizes of two motions.
+  [[nodiscard]] double between(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) const;
   /// |omega - omega'| / W, a lower bound of d.
   [[nodiscard]] double across(const ResponsePoint& a, const ResponsePoint& b) const;
   /// The same motion over its least period: shorter ones count where the motion repeats to 2e-3 A.

@@ -15,7 +15,9 @@
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/responses/curve_comparison.hpp"
+#include "harness/responses/true_motion.hpp"
 #include "harness/run/case_task.hpp"
+#include "harness/sweep/attractors.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "harness/text/json.hpp"
 
@@ -25,6 +27,10 @@ namespace {
 
 /// Frequencies of a sweep by steps, one way.
 constexpr int kSteps = 61;
+/// Starts of motions at each of these, and branches in all, where the exact response is looked for.
+constexpr int kStarts = 24, kBranches = 400;
+/// What the judge may take of the time limit for motions that are on no exact branch.
+constexpr double kShareOfJudge = 0.5;
 /// What one solve of a sweep may take of the time limit.
 constexpr double kShareOfSolve = 0.1;
 
@@ -46,12 +52,9 @@ struct Asked {
   [[nodiscard]] ParametrisedScene varied() const {
     return over_frequency(scene.problem, question.from, question.to);
   }
-  [[nodiscard]] BranchDiagram branches(double timeout, int phases, double step_share = 1.0) const {
+  [[nodiscard]] BranchDiagram branches(double timeout, int phases) const {
     return branches_of(varied(), planned_case.choice,
-                       {.max_order = question.orders,
-                        .step_share = step_share,
-                        .phases = phases,
-                        .deadline = Deadline::after(timeout)})
+                       {.max_order = question.orders, .phases = phases, .deadline = Deadline::after(timeout)})
         .value();
   }
   [[nodiscard]] std::vector<SweepPoint> steps(double timeout) const {
@@ -92,14 +95,12 @@ class ExactTask final : public CaseTask {
   ExactTask(Asked asked, ExactResponse& exact) : asked_(asked), exact_(exact) {}
 
   [[nodiscard]] double seconds() const override {
-    return 2.0 * enforced(asked_.limits.reference_timeout) + kQuickSeconds;
+    return 3.0 * enforced(asked_.limits.reference_timeout) + kQuickSeconds;
   }
 
   void run(Record record, const std::function<void(const Record&)>& stage_done) const override {
     try {
-      constexpr double kFineStep = 1.0 / 3.0;  // of the usual
-      ResponseCurve curve =
-          curve_of(asked_.branches(asked_.limits.reference_timeout, kComparedPhases, kFineStep));
+      ResponseCurve curve = from_attractors();
       add_orbits_beside(curve);
       take_curve(curve, record);
       record.response->branches = drawn_with_motions(curve);
@@ -114,6 +115,50 @@ class ExactTask final : public CaseTask {
   void release(Record& record) const override { exact_.take(record); }
 
  private:
+  /// Branches of the orders that are looked for in any sweep, or of more where more are asked for, begun at
+  /// the motions too that starts settle to at each of the steps. What of these lies on no branch is told.
+  [[nodiscard]] ResponseCurve from_attractors() const {
+    constexpr double kFineStep = 1.0 / 3.0;  // of the usual
+    const ParametrisedScene varied = asked_.varied();
+    const int orders =
+        std::max(asked_.question.orders, default_orders(asked_.scene.problem, asked_.planned_case.choice));
+    std::vector<AttractorsAt> settled = attractors();
+    const BranchDiagram diagram = branches_of(varied, asked_.planned_case.choice,
+                                              {.max_order = orders,
+                                               .max_branches = kBranches,
+                                               .step_share = kFineStep,
+                                               .phases = kComparedPhases,
+                                               .at = sweep_frequencies(range_of(asked_.question)),
+                                               .begin_at = motions_of(varied, settled, orders),
+                                               .deadline = Deadline::after(asked_.limits.reference_timeout)})
+                                      .value();
+    mark_on_branches(settled, diagram.branches);
+    ResponseCurve curve = curve_of(diagram);
+    tell_attractors(settled, off_branches(settled, "rad/s", orders), curve);
+    return curve;
+  }
+
+  /// What starts settle to at each of the steps. None of a structure that is not followed through time.
+  [[nodiscard]] std::vector<AttractorsAt> attractors() const {
+    if (!flow_obstacle(asked_.scene.problem).empty()) return {};
+    return attractors_over(asked_.varied(), sweep_frequencies(range_of(asked_.question)),
+                           {.starts = kStarts, .timeout = asked_.limits.reference_timeout / kSteps});
+  }
+
+  static void tell_attractors(const std::vector<AttractorsAt>& settled, const std::vector<std::string>& off,
+                              ResponseCurve& curve) {
+    if (!off.empty())
+      curve.open_ends.push_back(fmt::format(
+          "{} motions that starts settle to lie on no branch; the first: {}", off.size(), off.front()));
+    const auto undecided = std::ranges::count_if(settled, [](const AttractorsAt& at) {
+      return std::ranges::all_of(at.attractors,
+                                 [](const Attractor& one) { return one.verdict == LongRun::undecided; });
+    });
+    if (undecided > 0)
+      curve.open_ends.push_back(
+          fmt::format("no start settled in time at {} of {} frequencies", undecided, settled.size()));
+  }
+
   /// Orbits of steps of the frequency on none of the branches: those of isolated ones, and beyond ends at
   /// which a branch could not be followed.
   void add_orbits_beside(ResponseCurve& curve) const {
@@ -146,7 +191,7 @@ class ResponseTask final : public CaseTask {
   ResponseTask(Asked asked, const ExactResponse& exact) : asked_(asked), exact_(exact) {}
 
   [[nodiscard]] double seconds() const override {  // the last solve or step may begin just before the end
-    return enforced((1.0 + kShareOfSolve) * asked_.limits.timeout) + kQuickSeconds;
+    return enforced((1.0 + kShareOfSolve + kShareOfJudge) * asked_.limits.timeout) + kQuickSeconds;
   }
 
   void run(Record record, const std::function<void(const Record&)>& stage_done) const override {
@@ -236,10 +281,25 @@ class ResponseTask final : public CaseTask {
     record.answer = digest_of_branches(record.response->branches);
     const double window = window_of(asked_.question), amplitude = amplitude_of(exact_.curve());
     if (amplitude > 0.0)
-      record.response->comparison =
-          compare_curves(exact_.curve(), curve, ResponseMetric(window, amplitude), window);
+      compare(curve, ResponseMetric(window, amplitude), window, *record.response);
     else
       record.message = "nothing to compare with: the exact response has no branch, or the scene no contact";
+  }
+
+  /// What of the method is on no exact branch is shown to the judge.
+  void compare(const ResponseCurve& curve, const ResponseMetric& metric, double window,
+               RecordedResponse& response) const {
+    TrueMotions judge(asked_.varied(), metric, kWideTolerance,
+                      Deadline::after(kShareOfJudge * asked_.limits.timeout));
+    response.comparison =
+        compare_curves(exact_.curve(), curve, metric, window,
+                       {.orders = asked_.question.orders,
+                        .is_true = [&](const ResponsePoint& point) { return judge.contain(point); }});
+    if (judge.confirmed() > 0)
+      response.open_ends.push_back(fmt::format(
+          "{} pieces on no exact branch are motions that the judge has confirmed", judge.confirmed()));
+    if (judge.unasked() > 0)
+      response.open_ends.push_back(fmt::format("the judge had no time for {} pieces", judge.unasked()));
   }
 
   Asked asked_;

@@ -12,11 +12,12 @@ namespace signorini {
 
 /// Gives the jobs of cases that are responses their tasks (Job::task). The exact response is followed by
 /// continuation of exact orbits with steps of a third of the usual length, within
-/// Limits::reference_timeout, and completed by orbits that steps of the frequency find on none of its
-/// branches, in as much again. A method has Limits::timeout: it follows its curve once for the time and once
-/// for its motions, or is taken through the frequencies, each solve in a process of its own; its time is of
-/// the processor.
-/// \param scene, limits, exact  must outlive the jobs
+/// Limits::reference_timeout, begun also at the motions that starts settle to (`attractors_over`), which take
+/// as much, and completed by orbits that steps of the frequency find on none of its branches, in as much
+/// again. What a method has on none of them the judge is asked about (TrueMotions). A method has
+/// Limits::timeout: it follows its curve once for the time and once for its motions, or is taken through the
+/// frequencies, each solve in a process of its own; its time is of the processor. \param scene, limits, exact
+/// must outlive the jobs
 void give_tasks(const Scene& scene, const Limits& limits, ExactResponse& exact, std::vector<Job>& jobs);
 
 }  // namespace signorini

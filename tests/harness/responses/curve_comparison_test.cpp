@@ -50,6 +50,31 @@ TEST(CompareCurves, CountsWhatIsNotThereByItsLength) {
   EXPECT_NEAR(more.right_length, 1.0, 1e-12);
 }
 
+TEST(CompareCurves, AddATrueMotionThatTheExactResponseLacksAndChargeALie) {
+  ResponseBranch third = level_branch(1.0, 1.25, 11), lie = level_branch(1.0, 1.25, 11, 2.0);
+  for (ResponsePoint& point : third.points) point = moving(point.frequency, 1.0, 3, 0.5);
+  const CurveComparison beside =
+      compare_curves(kExact, {.branches = {third, lie}}, kMetric, 1.0,
+                     {.is_true = [](const ResponsePoint& point) { return point.order == 3; }});
+  EXPECT_NEAR(beside.right_length, 0.25, 1e-12);
+  EXPECT_NEAR(beside.wide.false_share, 0.5, 1e-12);
+  EXPECT_NEAR(compared(kExact, {.branches = {third, lie}}).wide.false_share, 1.0, 1e-12);
+}
+
+TEST(CompareCurves, AskForMotionsOfSomeOrdersAndTakeAllForTrue) {
+  ResponseBranch third = level_branch(1.0, 2.0, 11);
+  for (ResponsePoint& point : third.points) point = moving(point.frequency, 1.0, 3, 0.5);
+  for (std::size_t i = 0; i < third.points.size(); ++i) third.points[i].stable = true;
+  const ResponseCurve exact{.branches = {level_branch(1.0, 2.0, 11), third},
+                            .located = {{.kind = SpecialKind::fold, .frequency = 1.5, .order = 3}}};
+  const CurveComparison both = compare_curves(exact, {.branches = {third}}, kMetric, 1.0, {.orders = 2});
+  EXPECT_NEAR(both.exact_length, 1.0, 1e-12);
+  EXPECT_NEAR(both.wide.false_share, 0.0, 1e-12);
+  EXPECT_NEAR(both.close.covered, 0.0, 1e-12);
+  EXPECT_NEAR(both.close.covered_stable.value(), 1.0, 1e-12);
+  EXPECT_TRUE(both.points.empty());
+}
+
 TEST(BesideBranches, AreTheOrbitsOfStepsThatLieOnNoneEachOnce) {
   ResponseCurve steps;
   for (const double turn : {0.0, 1.0}) {  // up and down

@@ -101,8 +101,10 @@ TEST(ResponseTasks, LeaveARecordEachWhateverAMethodDoes) {
     EXPECT_EQ(crashed.signal, SIGSEGV);
     EXPECT_EQ(records["sdof-stop/hanging-curve by arc length"].status, Status::timeout);
     const Record& truth = records["sdof-stop/exact response"];
-    EXPECT_EQ(truth.response->located.size(), 1U) << "the grazing";
-    EXPECT_NEAR(truth.response->located[0].frequency, 2.448265181813, 1e-9);
+    std::vector<LocatedPoint> located = truth.response->located;  // up to six periods
+    std::erase_if(located, [](const LocatedPoint& point) { return point.order > 1; });
+    ASSERT_EQ(located.size(), 1U) << "the grazing";
+    EXPECT_NEAR(located[0].frequency, 2.448265181813, 1e-9);
     for (const DrawnBranch& branch : truth.response->branches) EXPECT_TRUE(branch.motion.empty());
     const Record& good = records["sdof-stop/exact-orbit by arc length"];
     EXPECT_EQ(good.status, Status::converged) << good.message;

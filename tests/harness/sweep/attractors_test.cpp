@@ -12,6 +12,7 @@
 #include "harness/sweep/branch_json.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::attractors_test {
 namespace {
@@ -63,8 +64,8 @@ TEST(Attractors, OfThreePeriodsLieOnABranchOfDefaultOptions) {
       attractors_over(over_frequency(problem, 3.7, 3.9), {3.8}, {.starts = 4, .jobs = 1});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].attractors.at(0).order, 3);
-  const test::Outcome outcome = test::run_program(
-      "sweep sdof-stop-e0 --methods exact-orbit --from 3.7 --to 3.9 --at 3.8 --format jsonl");
+  const test::Outcome outcome =
+      test::run_program("sweep sdof-stop-e0 --methods exact-orbit --from 1.5 --to 4 --at 3.8 --format jsonl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   std::vector<Branch> branches;
   std::istringstream lines(outcome.out);
@@ -81,7 +82,7 @@ TEST(Attractors, AreBeginningsOfBranches) {
                                 .write("isolated.toml", R"(schema = 1
 name = "isolated"
 system = { kind = "sdof", mass = 1.0, damping = 0.14429, stiffness = 1.0 }
-forcing = { frequency = 1.35 }
+forcing = { frequency = 1.35, term = [{ dof = 0, cos = 1.0 }] }
 contact = [{ dof = 0, gap = -0.26994 }]
 law = { restitution = 0.756 }
 )")
@@ -97,7 +98,7 @@ law = { restitution = 0.756 }
   EXPECT_EQ(of_three_periods(test::run_program(sweep).out), 0);
   const test::Outcome begun = test::run_program(sweep + " --attractors 3");
   EXPECT_EQ(begun.code, 0) << begun.err;
-  EXPECT_EQ(of_three_periods(begun.out), 1);
+  EXPECT_GE(of_three_periods(begun.out), 1);
   const Json json = Json::parse(begun.out);
   EXPECT_TRUE(json["off_branches"].empty());
   EXPECT_EQ(json["attractors"][0]["attractors"][0]["order"], 3);
