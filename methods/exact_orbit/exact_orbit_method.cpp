@@ -18,6 +18,7 @@
 #include "methods/harmonic_balance/strategy.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/linear_flow/linear_flow.hpp"
+#include "methods/marching/contact_march.hpp"
 #include "methods/orbit/bifurcation_curves/bifurcation_curve.hpp"
 #include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/exact_orbit.hpp"
@@ -34,9 +35,13 @@ struct Attempt {
   std::function<Solution()> motion;
 };
 
-// Nodes of the first coarse grid: as many as asked for, times 4 until they resolve the load.
+// Nodes of the first coarse grid: as many as asked for, times 4 until they resolve the load and the turns in
+// which several contacts, of those that can be marched, come and go.
 int first_grid(const Problem& problem, int samples) {
-  while (!grid_support(problem, samples).ok) samples *= 4;
+  constexpr int kSeveral = 4, kMarchedPerPeriod = 256;
+  const bool marched = problem.contact_count() >= kSeveral && march_obstacle(problem).empty();
+  const int least = marched ? kMarchedPerPeriod * problem.subharmonic : 0;
+  while (samples < least || !grid_support(problem, samples).ok) samples *= 4;
   return samples;
 }
 

@@ -53,13 +53,18 @@ class PeriodMapSystem {
 class PeriodicSearch {
  public:
   PeriodicSearch(ContactMarch& march, const PeriodicMarchSettings& settings, Eigen::VectorXd state)
-      : march_(march), settings_(settings), state_(std::move(state)) {}
+      : march_(march), settings_(settings), state_(std::move(state)), nearest_(state_) {}
 
   void march(int periods) {
+    double least = std::numeric_limits<double>::infinity();
     for (int period = 0; period < periods && !late(); ++period) {
       const Eigen::VectorXd next = march_.period(state_);
       if (!next.allFinite()) return;
+      const double change = relative_defect((next - state_).norm(), state_);
       state_ = next;
+      if (change > least) continue;
+      least = change;
+      nearest_ = state_;
     }
   }
 
@@ -94,7 +99,9 @@ class PeriodicSearch {
     return std::move(result_);
   }
 
-  [[nodiscard]] const Eigen::VectorXd& state() const { return state_; }
+  /// The state of the last march that a period changed least: of a motion that settles its last, of one that
+  /// never does one near an unstable periodic motion.
+  [[nodiscard]] const Eigen::VectorXd& nearest() const { return nearest_; }
 
  private:
   [[nodiscard]] bool late() const { return settings_.deadline.passed(); }
@@ -116,22 +123,22 @@ class PeriodicSearch {
 
   ContactMarch& march_;
   const PeriodicMarchSettings& settings_;
-  Eigen::VectorXd state_;
+  Eigen::VectorXd state_, nearest_;
   PeriodicMarch result_;
   int newton_steps_ = 0;
 };
 
 PeriodicMarch searched(PeriodicSearch search, const PeriodicMarchSettings& settings,
                        const Eigen::VectorXd& free) {
-  if (search.newton(search.state(), MarchedBy::newton)) return std::move(search).result();
+  if (search.newton(search.nearest(), MarchedBy::newton)) return std::move(search).result();
   search.march(settings.further_periods);
-  if (search.newton(search.state(), MarchedBy::more_periods) ||
+  if (search.newton(search.nearest(), MarchedBy::more_periods) ||
       search.anderson(settings.accelerated_periods) || search.newton(free, MarchedBy::free_start))
     return std::move(search).result();
   // Where the march does not settle, Newton's method may come from one of its states and not from another.
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     search.march(settings.further_periods);
-    if (search.newton(search.state(), MarchedBy::more_periods)) return std::move(search).result();
+    if (search.newton(search.nearest(), MarchedBy::more_periods)) return std::move(search).result();
   }
   search.anderson(kPatience * settings.accelerated_periods);
   return std::move(search).result();

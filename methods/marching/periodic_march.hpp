@@ -48,8 +48,9 @@ struct PeriodicMarch {
 /// Marches from rest, then solves P(Y) - Y = 0 by Newton's method with the active sets of the last period
 /// frozen, GMRES to 1e-3 and step halving on the norm of the residual [kelley1995]; where that fails, the
 /// attempts of MarchedBy in their order, then Newton's method from 24 states of the march, and four times as
-/// many accelerated periods. An attractor is found wherever marching comes near it; Newton's method may also
-/// end at an unstable motion. Deterministic. Linear in N and in the contacts that are closed.
+/// many accelerated periods. Of the states of a march Newton's method takes the one that a period changed
+/// least. An attractor is found wherever marching comes near it; Newton's method may also end at an unstable
+/// motion. Deterministic. Linear in N and in the contacts that are closed.
 PeriodicMarch march_to_periodic_motion(ContactMarch& march, const PeriodicMarchSettings& settings = {});
 
 /// The same from a state, as that of a coarser grid (`size()` does not depend on N): without marching first.
