@@ -12,6 +12,8 @@
 #include <string>
 
 #include "methods/catalogue.hpp"
+#include "methods/flow/flow.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
 #include "tests/support/exact_scenes.hpp"
@@ -112,6 +114,27 @@ TEST(ExactOrbitMethod, MarchesOnWhereTheGridHasNoAnswer) {
   EXPECT_LE(*solution.work.iterations, 60);
   const auto exact = test::single_impact_orbits(oscillator).front();
   EXPECT_LT(test::relative_error(*solution.trajectory, [&](double t) { return exact.x(t); }), 1e-10);
+}
+
+// The tube of code_aster V5.02.301: the march over its eight stops never settles. The flow that looks for
+// events by itself comes back to the state of the orbit, unstable as that is.
+TEST(ExactOrbitMethod, FindsAnUnstableOrbitOfATubeAmongItsStops) {
+  for (const char* name : {"sdnl301", "sdnl301d"}) {
+    const Problem problem = load_scene(find_scene(name));
+    const Solution solution = test::solve<ExactOrbitMethod>(problem, {});
+    ASSERT_EQ(solution.verdict, Verdict::converged) << name << ": " << solution.message;
+    const auto* orbit = dynamic_cast<const ExactTrajectory*>(solution.trajectory.get());
+    ASSERT_NE(orbit, nullptr);
+    const FlowState& start = orbit->orbit().start;
+    EXPECT_GE(orbit->orbit().events.size(), 8U) << name;
+    const ContactDynamics dynamics(problem);
+    EventFlow flow(
+        dynamics, 1e-12, [] { return false; }, Integrator::modal);
+    FlowState end = start;
+    FlowRecord record;
+    flow.advance(end, problem.period(), record);
+    EXPECT_LT(dynamics.scales().distance(end.state, start.state), 1e-8) << name;
+  }
 }
 
 TEST(ExactOrbitMethod, SaysWhatStoppedEachAttempt) {
