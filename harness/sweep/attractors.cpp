@@ -16,6 +16,7 @@
 #include "harness/plan/plan.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/text/json.hpp"
+#include "methods/structure/unfelt_motions.hpp"
 
 namespace signorini {
 
@@ -64,14 +65,19 @@ Attractor attractor_of(const LongMotion& motion) {
   return found;
 }
 
-bool equal_extremes(const std::vector<double>& a, const std::vector<double>& b) {
+/// The largest magnitude of an extreme of x: the unit in which attractors are compared [m].
+double extent(const Attractor& one) {
+  double most = 0.0;
+  for (const auto* extremes : {&one.least, &one.largest})
+    for (const double x : *extremes) most = std::max(most, std::abs(x));
+  return most;
+}
+
+bool equal_extremes(const Attractor& a, const Attractor& b) {
   constexpr double kSame = 1e-6;
-  double largest = 0.0, difference = 0.0;
-  for (std::size_t j = 0; j < a.size() && j < b.size(); ++j) {
-    largest = std::max({largest, std::abs(a[j]), std::abs(b[j])});
-    difference = std::max(difference, std::abs(a[j] - b[j]));
-  }
-  return difference <= kSame * largest;
+  const double accepted = kSame * std::max(extent(a), extent(b));
+  const auto equal = [accepted](double one, double other) { return std::abs(one - other) <= accepted; };
+  return std::ranges::equal(a.least, b.least, equal) && std::ranges::equal(a.largest, b.largest, equal);
 }
 
 bool repeats(const Attractor& one) {
@@ -85,9 +91,7 @@ bool may_lie_on_branch(const Attractor& one, int max_order) {
 
 bool passes(const Branch& branch, double value, const Attractor& one) {
   constexpr double kSameValue = 1e-10, kSame = 1e-5;
-  double scale = 0.0;
-  for (std::size_t j = 0; j < one.least.size(); ++j)
-    scale = std::max({scale, std::abs(one.least[j]), std::abs(one.largest[j])});
+  const double scale = extent(one);
   return std::ranges::any_of(branch.points, [&](const SolutionPoint& point) {
     if (std::abs(point.parameter - value) > kSameValue * std::abs(value) || point.order != one.order)
       return false;
@@ -103,7 +107,7 @@ bool passes(const Branch& branch, double value, const Attractor& one) {
 
 bool same_attractor(const Attractor& a, const Attractor& b) {
   if (a.verdict != b.verdict || a.order != b.order) return false;
-  return !repeats(a) || (equal_extremes(a.least, b.least) && equal_extremes(a.largest, b.largest));
+  return !repeats(a) || equal_extremes(a, b);
 }
 
 void add_attractor(Attractor found, AttractorsAt& at) {
@@ -119,7 +123,8 @@ void add_attractor(Attractor found, AttractorsAt& at) {
 AttractorsAt follow_starts(const Problem& problem, double value, const AttractorOptions& options) {
   constexpr LongMotionOptions kFollowed{.transient = 2000, .periods = 1000, .exponents = 1};
   const Deadline deadline = Deadline::after(options.timeout);
-  const ContactDynamics dynamics(problem);
+  const std::optional<WithoutUnfeltMotions> felt = without_unfelt_motions(problem);
+  const ContactDynamics dynamics(felt ? felt->problem : problem);
   const EventFlow placing = placing_flow(dynamics);
   AttractorsAt at{.value = value};
   for (int i = 0; i < options.starts; ++i) {

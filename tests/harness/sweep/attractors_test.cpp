@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "harness/plan/plan.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "problems/scene/scene_file.hpp"
+#include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
@@ -38,6 +40,20 @@ TEST(Attractors, AreThePeriodicMotionThatEveryStartReaches) {
   EXPECT_TRUE(at.attractors[0].from_rest);
   EXPECT_NEAR(at.attractors[0].amplitude(), 0.431238, 1e-6);
   EXPECT_EQ(at.attractors[0].once_a_period.size(), 1U);
+}
+
+// The stop is at 0: what one motion reaches there, 1e-16, is not told from what another does, 0.
+TEST(Attractors, AreOneWhereTheyDifferByRoundingAtAStopAtTheOrigin) {
+  const auto file = test::fresh_folder("attractors-origin") / "origin.toml";
+  std::ofstream(file)
+      << "schema = 1\nname = \"origin\"\nsystem = { kind = \"sdof\", mass = 1.0, damping = 0.05, stiffness = "
+         "1.0 }\nforcing = { frequency = 2.6, term = [{ dof = 0, cos = 1.0 }] }\n"
+         "contact = [{ dof = 0, gap = 0.0 }]\nlaw = { restitution = 0.7 }\n";
+  const test::Outcome outcome = test::run_program(
+      "sweep --attractors 3 --from 2.6 --to 2.64 --points 2 --format json " + file.string());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const auto& at : nlohmann::json::parse(outcome.out)["attractors"])
+    EXPECT_EQ(at["attractors"].size(), 1U) << at;
 }
 
 TEST(Attractors, CommandTellsIrregularMotionsAndTheirShare) {
