@@ -62,6 +62,15 @@ std::vector<double> exponents_of(const Eigen::MatrixXd& monodromy, double period
   return all;
 }
 
+/// Whether nothing moves at an instant, nor any contact over the period.
+bool is_still(const PeriodMap& map, const FlowState& at, std::span<const StopStatistics> stops,
+              double length) {
+  return map.scaled(at.state).tail(at.state.v.size()).lpNorm<Eigen::Infinity>() <= kStill &&
+         std::ranges::all_of(stops, [length](const StopStatistics& stop) {
+           return stop.x_max - stop.x_min <= kStill * length;
+         });
+}
+
 class LongMotionFollower {
  public:
   LongMotionFollower(const ContactDynamics& dynamics, FlowState start, const LongMotionOptions& options,
@@ -167,16 +176,10 @@ class LongMotionFollower {
     FlowState later = orbit.start;
     FlowRecord unused;
     flow_.advance(later, kElsewhere * map_.forcing_period(), unused);
-    result_.verdict = is_still(orbit.start) && is_still(later) ? LongRun::at_rest : LongRun::periodic;
-  }
-
-  [[nodiscard]] bool is_still(const FlowState& at) const {
-    const Eigen::VectorXd scaled = map_.scaled(at.state);
     const double length = flow_.dynamics().scales().displacement;
-    return scaled.tail(at.state.v.size()).lpNorm<Eigen::Infinity>() <= kStill &&
-           std::ranges::all_of(result_.stops, [length](const StopStatistics& stop) {
-             return stop.x_max - stop.x_min <= kStill * length;
-           });
+    const bool still =
+        is_still(map_, orbit.start, result_.stops, length) && is_still(map_, later, result_.stops, length);
+    result_.verdict = still ? LongRun::at_rest : LongRun::periodic;
   }
 
   void measure() {
