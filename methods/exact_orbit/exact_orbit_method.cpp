@@ -35,12 +35,10 @@ struct Attempt {
   std::function<Solution()> motion;
 };
 
-// Nodes of the first coarse grid: as many as asked for, times 4 until they resolve the load and the turns in
-// which several contacts, of those that can be marched, come and go.
+// Nodes of the first coarse grid: as many as asked for, times 4 until they resolve the load and the turns of
+// several contacts.
 int first_grid(const Problem& problem, int samples) {
-  constexpr int kSeveral = 4, kMarchedPerPeriod = 256;
-  const bool marched = problem.contact_count() >= kSeveral && march_obstacle(problem).empty();
-  const int least = marched ? kMarchedPerPeriod * problem.subharmonic : 0;
+  const int least = marches_several(problem) ? kMarchedPerPeriod * problem.subharmonic : 0;
   while (samples < least || !grid_support(problem, samples).ok) samples *= 4;
   return samples;
 }
@@ -50,6 +48,7 @@ class PreparedExactOrbit final : public PreparedMethod {
   PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
       : problem_(problem),
         options_(options),
+        several_(marches_several(problem)),
         first_samples_(first_grid(problem, options.samples)),
         coarse_(grid(first_samples_, 0)) {}
 
@@ -102,11 +101,14 @@ class PreparedExactOrbit final : public PreparedMethod {
   void search(const Start& start) {
     const Start cold{.guess = {}, .deadline = start.deadline};
     if (start.guess && polish(*start.guess, "the guess", search_options(start))) return;
-    SearchOptions first = search_options(start);
-    first.followed = std::min(32, options_.marching);  // less than a shooting takes, and enough most often
+    SearchOptions each = search_options(start), first = each;
+    if (several_)
+      each.rounds = first.rounds = 1;  // a finer grid tells more than the flow from an unstable motion
+    else
+      first.followed = std::min(32, options_.marching);  // less than a shooting takes, and enough most often
     if (attempt({grid_name(first_samples_, 0), [&] { return coarse_->solve(cold); }}, first)) return;
     for (const Attempt& next : further_attempts(cold)) {
-      if (attempt(next, search_options(start))) return;
+      if (attempt(next, each)) return;
     }
     if (!progress_.first) return;
     SearchOptions last = search_options(start);
@@ -116,8 +118,8 @@ class PreparedExactOrbit final : public PreparedMethod {
     polish(*progress_.first, "shooting and marching", last);
   }
 
-  // Other paths of pivots on the coarse grid, then finer grids, each with its paths but for the last; other
-  // equations.
+  // Other paths of pivots on the coarse grid, then finer grids, each with its paths but for the last; of
+  // several contacts, whose paths are long, finer grids alone; other equations.
   [[nodiscard]] std::vector<Attempt> further_attempts(const Start& cold) const {
     std::vector<Attempt> attempts;
     const auto add_grid = [&](int samples, int cover) {
@@ -127,7 +129,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     int samples = first_samples_;
     for (int level = 0; level <= options_.refinements; ++level, samples *= 4) {
       if (level > 0) add_grid(samples, 0);
-      if (level > 0 && level == options_.refinements) break;
+      if (several_ || (level > 0 && level == options_.refinements)) continue;
       for (int cover = 1; cover <= options_.restarts; ++cover) add_grid(samples, cover);
     }
     const Law scene_law = problem_.law();
@@ -181,6 +183,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       settings.cover_amplitude = kWave;
       settings.cover_phase = 2.0 * std::numbers::pi * cover / (options_.restarts + 1);
     }
+    if (several_ && samples > first_samples_) settings.scheme = HatScheme::bdf2;  // its march is linear in N
     return hat_contact(problem_, settings, scene_restitution(problem_));
   }
 
@@ -230,6 +233,7 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   const Problem& problem_;
   ExactOrbitMethod::Options options_;
+  bool several_;       // contacts that are marched
   int first_samples_;  // N of the first grid
   std::unique_ptr<PreparedMethod> coarse_;
   Progress progress_;

@@ -50,14 +50,19 @@ std::optional<Solution> permanent_contact(const HarmonicSetup& setup, const Star
   return exact_solution(setup.equations(), closed, "permanent contact");
 }
 
-/// The force to which the reduced structure marches, n = 0..H; empty where it finds no periodic motion.
+/// The force to which the reduced structure marches, n = 0..H; empty where it finds no periodic motion. All
+/// numbers of harmonics begin at one coarse march: of motions that coexist each fine one might end at
+/// another.
 Eigen::MatrixXcd marched_force(const HarmonicSetup& setup, const Start& start, Work& work) {
-  constexpr int kFewestMarched = 256;
-  const int harmonics = setup.receptance.harmonics();
-  const int samples = std::max(kFewestMarched, kCoarseSampling * harmonics);
-  ContactMarch march(*setup.marched, march_grid(*setup.problem, samples));
-  const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = start.deadline});
+  const int harmonics = setup.receptance.harmonics(), coarse = kMarchedPerPeriod * setup.problem->subharmonic;
+  ContactMarch march(*setup.marched, march_grid(*setup.problem, coarse));
+  PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = start.deadline});
   count_iterations(marched.newton_steps, work);
+  if (const int fine = kCoarseSampling * harmonics; marched.found() && fine > coarse) {
+    ContactMarch finer(*setup.marched, march_grid(*setup.problem, fine));
+    marched = march_from(finer, marched.state, {.deadline = start.deadline});
+    count_iterations(marched.newton_steps, work);
+  }
   if (!marched.found()) return {};
   return force_spectrum(marched.force, {}, setup.receptance.period, harmonics);
 }

@@ -54,6 +54,11 @@ std::string march_obstacle(const Problem& problem) {
                               : "";
 }
 
+bool marches_several(const Problem& problem) {
+  constexpr int kSeveral = 4;
+  return problem.contact_count() >= kSeveral && march_obstacle(problem).empty();
+}
+
 ContactMarch::ContactMarch(const ContactReduction& reduction, MarchGrid grid)
     : reduction_(reduction),
       grid_(std::move(grid)),

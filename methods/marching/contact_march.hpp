@@ -27,6 +27,14 @@ MarchGrid march_grid(const Problem& problem, int samples);
 /// law is another one in the reduced structure (`ContactReduction`).
 std::string march_obstacle(const Problem& problem);
 
+/// Whether a scene has several contacts, 4 or more, that the march represents. They come and go in turns that
+/// neither a coarse grid nor few harmonics show, and paths of pivots over them are long: a march is the way
+/// to a start.
+bool marches_several(const Problem& problem);
+
+/// Steps of a march per forcing period that show in which turns contacts come and go [-].
+inline constexpr int kMarchedPerPeriod = 256;
+
 /// What was done since a march began.
 struct MarchWork {
   long steps = 0;           ///< with contact conditions [-]

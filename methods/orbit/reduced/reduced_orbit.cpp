@@ -71,13 +71,23 @@ bool prefers_reduction(const Problem& problem) {
 
 ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& space,
                                 const OrbitCorrectionSettings& settings) {
-  constexpr int kMarchedPerPeriod = 256;
-  ContactMarch march(space.small(), march_grid(problem, kMarchedPerPeriod * problem.subharmonic));
-  PeriodicMarch marched = march_to_periodic_motion(march);
-  const NodalTrajectory motion(problem.period(), std::move(marched.motion), std::move(marched.force));
-  ReducedOrbit result = polish_reduced_orbit(problem, space, motion, settings);
-  result.start = "marching, " + std::string(describe(marched.by));
-  result.iterations += marched.newton_steps;
+  constexpr int kFiner = 4, kFinest = 16;  // grid than the one before, and than the first
+  OrbitCorrectionSettings quick = settings;
+  quick.search.rounds = 1;
+  quick.search.shootings = quick.search.marched = 0;
+  ReducedOrbit result;
+  long iterations = 0;
+  PeriodicMarch marched;
+  for (int factor = 1; factor <= kFinest; factor *= kFiner) {
+    ContactMarch march(space.small(), march_grid(problem, factor * kMarchedPerPeriod * problem.subharmonic));
+    marched = factor == 1 ? march_to_periodic_motion(march) : march_from(march, marched.state);
+    const NodalTrajectory motion(problem.period(), std::move(marched.motion), std::move(marched.force));
+    result = polish_reduced_orbit(problem, space, motion, factor == kFinest ? settings : quick);
+    result.start = "marching, " + std::string(describe(marched.by));
+    iterations += result.iterations + marched.newton_steps;
+    if (result.corrected.bar || settings.search.expired()) break;
+  }
+  result.iterations = iterations;
   return result;
 }
 

@@ -26,10 +26,11 @@ struct ReducedOrbit {
   long iterations = 0;            ///< Newton steps, of marching and of orbits
 };
 
-/// Marches `space.small()` to a periodic motion (`march_to_periodic_motion`, 256 nodes per forcing period),
-/// chooses the vectors that its force needs (`ContactSpace::solved_for`; not where the size of `small` was
-/// given), reads an exact orbit off the force (`OrbitFinder`), and corrects it (`correct_orbit`). Failures
-/// are outcomes of the orbit; its trajectory may then be empty. \param space  without an obstacle
+/// Marches `space.small()` to a periodic motion (`march_to_periodic_motion`, kMarchedPerPeriod nodes per
+/// forcing period; where that leads to no orbit on 4 and 16 times as many, from the state on the grid
+/// before), chooses the vectors that its force needs (`ContactSpace::solved_for`; not where the size of
+/// `small` was given), reads an exact orbit off the force (`OrbitFinder`), and corrects it (`correct_orbit`).
+/// Failures are outcomes of the orbit; its trajectory may then be empty. \param space  without an obstacle
 ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& space,
                                 const OrbitCorrectionSettings& settings);
 
