@@ -29,6 +29,17 @@ TEST(PenaltyHbm, ItsForceIsTheSpringsOwn) {
   }
 }
 
+// The tube of code_aster V5.02.301 between eight springs: what the series has is near an exact orbit.
+TEST(PenaltyHbm, FindsAMotionOfATubeAmongItsStops) {
+  const Problem problem = load_scene(find_scene("sdnl301"));
+  const Solution series = solve<PenaltyHbm>(problem, {});
+  ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
+  const Solution orbit = solve<ExactOrbitMethod>(problem, {}, series.trajectory);
+  ASSERT_EQ(orbit.verdict, Verdict::converged) << orbit.message;
+  EXPECT_NE(orbit.message.find("from the guess"), std::string::npos) << orbit.message;
+  EXPECT_LT(test::relative_distance(*series.trajectory, *orbit.trajectory), 0.02);
+}
+
 TEST(PenaltyHbm, IsExactWithOneHarmonicWhereNothingTouches) {
   const Problem problem = test::to_problem({.damping = 0.1, .frequency = 2.2, .gap = 3.0});
   const std::complex<double> amplitude = 1.0 / std::complex<double>(1.0 - 2.2 * 2.2, 0.1 * 2.2);
