@@ -14,7 +14,7 @@ using OrbitsAt = std::function<std::vector<SequencedOrbit>(double parameter)>;
 /// Follows the curves through given orbits both ways, and all that leave them, until every end is an end of
 /// the interval or one where another branch ends or a reason stands:
 ///
-/// - at a grazing of a rigid stop the orbit without the impact, and the families of `grazing_families`;
+/// - at a grazing of a rigid or damped stop the orbit without it, and the families of `grazing_families`;
 /// - where impacts of uncoupled contacts coincide, the same orbit with their order exchanged;
 /// - at a period doubling the doubled orbit.
 ///
