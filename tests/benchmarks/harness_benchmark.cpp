@@ -13,8 +13,8 @@
 namespace signorini {
 namespace {
 
-/// Every scene of the suite catalogue with enough settings of one method to make ten thousand cases, and their
-/// keys.
+/// Every scene of the suite catalogue with enough settings of one method to make ten thousand cases, and
+/// their keys.
 void planning_ten_thousand_cases(benchmark::State& state) {
   const Suite suite = load_suite("catalogue");
   constexpr int kSettings = 280;

@@ -53,8 +53,8 @@ Sections rival_sections(const Evaluation& evaluation) {
   section.table.header = {"method"};
   for (const double error : kRivalErrors) {
     section.table.header.push_back(fmt::format("to {:.0e}", error));
-    for (const char* title : {"stability", "time over ours", "points", "over ours per point",
-                              "over plain forms", "fastest"})
+    for (const char* title :
+         {"stability", "time over ours", "points", "over ours per point", "over plain forms", "fastest"})
       section.table.header.emplace_back(title);
   }
   for (const Rival& rival : rivals(evaluation)) {

@@ -116,7 +116,8 @@ TEST_F(ChooseScenes, TakesFilesThatASuiteNames) {
 
 TEST_F(ChooseScenes, RefusesWhatMatchesNothingAndSaysWhatIsNear) {
   EXPECT_EQ(refusal<NothingMatched>({"alpha:bta"}),
-            "scenes = bta (matches no scene of suite s and none that ships; did you mean beta?; see `signorini list scenes`)");
+            "scenes = bta (matches no scene of suite s and none that ships; did you mean beta?; see "
+            "`signorini list scenes`)");
   EXPECT_EQ(refusal<NothingMatched>({(folder_ / "own" / "x*.toml").string()}),
             "scenes = " + (folder_ / "own" / "x*.toml").string() + " (matches no file)");
   fs::create_directories(folder_ / "empty");

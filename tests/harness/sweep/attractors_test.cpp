@@ -79,7 +79,7 @@ TEST(Attractors, OfThreePeriodsLieOnABranchOfDefaultOptions) {
   std::vector<AttractorsAt> found =
       attractors_over(over_frequency(problem, 3.7, 3.9), {3.8}, {.starts = 4, .jobs = 1});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].attractors.at(0).order, 3);
+  EXPECT_EQ(std::ranges::count(found[0].attractors, 3, &Attractor::order), 1);
   const test::Outcome outcome =
       test::run_program("sweep sdof-stop-e0 --methods exact-orbit --from 1.5 --to 4 --at 3.8 --format jsonl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
