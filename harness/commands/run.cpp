@@ -131,13 +131,12 @@ std::filesystem::path folder_of(const RunArguments& arguments, const Suite& suit
   return arguments.out.value_or("results/local-" + (own ? plan.scenes.front().problem.name : suite.name));
 }
 
-/// What is about to happen, and what becomes of an earlier run there.
-void announce(const Plan& plan, const Limits& limits, const std::filesystem::path& folder, bool resume) {
+/// What is about to happen, and what became of an earlier run there.
+void announce(const Plan& plan, const Limits& limits, const std::filesystem::path& folder, bool earlier) {
   fmt::print(stderr, "{} on {}, of at most {:g} s each; results go to {}\n",
              plural(std::ssize(plan.cases), "case"), plural(std::ssize(plan.scenes), "scene"), limits.timeout,
              folder.string());
-  if (!resume && std::filesystem::exists(folder / "records.jsonl"))
-    fmt::print(stderr, "the records of an earlier run there are kept as records.previous.jsonl\n");
+  if (earlier) fmt::print(stderr, "the records of an earlier run there are kept as records.previous.jsonl\n");
 }
 
 int run_suite(const RunArguments& arguments) {
@@ -149,11 +148,12 @@ int run_suite(const RunArguments& arguments) {
   }
   const std::filesystem::path folder = folder_of(arguments, suite, plan);
   Runner runner(limits_of(arguments, suite));
-  announce(plan, runner.limits(), folder, arguments.resume);
   if (arguments.waveforms) runner.keep_waveforms();
+  const bool earlier = !arguments.resume && std::filesystem::exists(folder / "records.jsonl");
   RecordStore store(folder, arguments.resume);
   const nlohmann::ordered_json manifest = manifest_of(arguments, suite, runner.limits(), plan);
   describe_run({.path = folder, .manifest = manifest, .plan = planned_cases(plan, runner)}, arguments.resume);
+  announce(plan, runner.limits(), folder, earlier);
   if (!build_may_be_timed()) fmt::print(stderr, "this is not a Release build: no times are recorded\n");
   watch_interrupts();
   const SuiteRunResult result = run_missing(arguments, plan, runner, store);

@@ -13,6 +13,7 @@ from signorini import BadInput, Scene
 from signorini.matrices import main, read_calculix, read_nastran
 
 STIFFNESS = [[2.0, -1.0], [-1.0, 2.0]]
+needs_scipy = unittest.skipUnless(support.installed("scipy.sparse"), "scipy is not installed")
 
 
 class CalculiX(support.TemporaryFolder):
@@ -22,6 +23,7 @@ class CalculiX(support.TemporaryFolder):
         self.write("bracket.sti", "1 1  2.0000000000000E+00\n1 2 -1.0000000000000E+00\n2 2  2.0D+00\n")
         self.write("bracket.mas", "1 1 1.0\n2 2 1.0\n")
 
+    @needs_scipy
     def test_has_both_triangles_and_the_nodes(self):
         for name in ("bracket", "bracket.sti", "bracket.inp"):
             structure = read_calculix(self.folder / name)
@@ -29,10 +31,12 @@ class CalculiX(support.TemporaryFolder):
             np.testing.assert_array_equal(structure.stiffness.toarray(), STIFFNESS)
             np.testing.assert_array_equal(structure.mass.toarray(), np.eye(2))
 
+    @needs_scipy
     def test_full_files_are_not_mirrored(self):
         self.write("bracket.sti", "1 1 2.0\n1 2 -1.0\n2 1 -1.0\n2 2 2.0\n")
         np.testing.assert_array_equal(read_calculix(self.folder / "bracket").stiffness.toarray(), STIFFNESS)
 
+    @needs_scipy
     def test_command_writes_files_that_a_scene_names(self):
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
@@ -79,6 +83,7 @@ class Nastran(unittest.TestCase):
 
 
 class Complex(unittest.TestCase):
+    @needs_scipy
     def test_stiffness_is_refused_with_the_cure(self):
         with self.assertRaisesRegex(ValueError, "structural damping"):
             Scene.from_matrices([[1.0]], [[0.1]], [[1.0 + 0.02j]], frequency=1.0)

@@ -238,7 +238,7 @@ TEST(ExactOrbits, SpringStopsOfTheTable) {
     // The check's own exponentials lose digits to the stiffness.
     EXPECT_LT(check.return_distance, 1e-10 * std::max(1.0, row.stiffness / 1e5));
     const test::BilinearOrbit closed_form = test::bilinear_orbit_of(rigid, row.stiffness);
-    EXPECT_NEAR(test::trace(*found.orbit), closed_form.trace(), 1e-9 * std::max(1.0, row.stiffness / 1e7));
+    EXPECT_NEAR(test::trace(*found.orbit), closed_form.trace(), 4e-9 * std::max(1.0, row.stiffness / 1e7));
     EXPECT_LT(test::relative_error(*found.orbit, [&](double t) { return closed_form.x(t); }), kAccuracy);
     // Beyond 1e6 the table's penetration, taken on a grid, is short of digits.
     if (row.stiffness <= 1e6) {

@@ -46,7 +46,7 @@ struct Chatter {
 
 Chatter chatter_of(ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
-  const double e = equations.model().dynamics.restitution();
+  const double e = equations.model().dynamics.restitution(0);
   Chatter found;
   std::size_t open = 0;
   while (orbit.events[open].kind != ContactEvent::Kind::open) ++open;
