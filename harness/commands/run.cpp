@@ -198,14 +198,14 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
   command.option("--methods", arguments->narrowing.methods,
                  "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
   command
-      .option("--scenes", arguments->narrowing.scenes,
-              "scenes of the suite by glob, A*:B*-C*, others that ship by name, and files, folders or globs "
-              "of files of one's own, "
-              "own.toml:folder:'more/*.toml'; may be repeated")
+      .option(
+          "--scenes", arguments->narrowing.scenes,
+          "scenes of the suite by glob, A*:B*-C*, others that ship by name, and files, folders or globs of "
+          "files of one's own, own.toml:folder:'more/*.toml'; may be repeated")
       .one_word();
-  command.option("--out", arguments->out,
-                 "folder of the results; results/local-SUITE if absent, of a single scene of one's own "
-                 "results/local-SCENE");
+  command.option(
+      "--out", arguments->out,
+      "folder of the results; results/local-SUITE if absent, of one scene of one's own local-SCENE");
   command.flag("--resume", arguments->resume,
                "keep the records that are there, run what is missing or stale");
   command.option("--timeout", arguments->timeout, "processor time of one run [s]").check(positive_seconds);
@@ -228,16 +228,13 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
       .check(not_negative)
       .shows_default();
   command
-      .option(
-          "--jobs", arguments->schedule.parallel,
-          "cases run at the same time; with more than one, times disturb each other and are not comparable, "
-          "which manifest and records say")
+      .option("--jobs", arguments->schedule.parallel,
+              "cases run at the same time; with more than one, times are not comparable, and say so")
       .range(1, 1024)
       .shows_default();
   command
       .option("--beside", arguments->schedule.beside,
-              "number of runs that share this machine, this one included; their times are marked as not "
-              "comparable")
+              "runs that share this machine, this one included; their times are marked as not comparable")
       .range(1, 1024)
       .shows_default();
   const Argument shard =
