@@ -146,7 +146,7 @@ TEST(CommandMethods, ThatNeverAnswerAreEndedAtTheTimeLimitWithAllTheyStarted) {
   describe(folder, "setsid sleep 98765.25 &\nsleep 98765.5 &\nwait\n");
   const Outcome run =
       run_installed(folder,
-                    "run quick --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
+                    "run catalogue --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
                     "--out run --plugin method.toml");
   EXPECT_EQ(run.code, 1) << run.err;
   const std::map<std::string, Record> records = records_in(folder.path() / "run");
@@ -244,7 +244,7 @@ TEST(CommandMethods, ThatHangWhenAskedAgainAreEndedAndDisturbNoOtherCase) {
   describe_reader(folder, "[ $n = 1 ] || sleep 98765.75; answer");
   const Outcome run =
       run_installed(folder,
-                    "run quick --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
+                    "run catalogue --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
                     "--out run --plugin method.toml");
   EXPECT_EQ(run.code, 1) << run.err;
   const std::map<std::string, Record> records = records_in(folder.path() / "run");
@@ -275,7 +275,7 @@ TEST(CommandMethods, ChangedInTheirScriptHaveStaleRecords) {
   const TemporaryFolder folder;
   describe(folder, "echo '{\"verdict\": \"not-converged\"}'\n");
   const std::string run =
-      "run quick --scenes sdof-stop --methods 'shell[level=1]' --out run --resume --plugin method.toml";
+      "run catalogue --scenes sdof-stop --methods 'shell[level=1]' --out run --resume --plugin method.toml";
   EXPECT_NE(run_installed(folder, run).out.find("1 cases run, 0 already there"), std::string::npos);
   EXPECT_NE(run_installed(folder, run).out.find("0 cases run, 1 already there"), std::string::npos);
   static_cast<void>(

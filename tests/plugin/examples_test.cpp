@@ -56,7 +56,7 @@ double order_of(const std::map<std::string, Record>& records,
 TEST(MoreauJean, FindsCertifiedOrbitsAtFirstOrderInTheStep) {
   const TemporaryFolder folder;
   const Outcome run =
-      run_installed(folder, fmt::format("run quick --scenes {} --methods 'moreau-jean[steps={}]' "
+      run_installed(folder, fmt::format("run catalogue --scenes {} --methods 'moreau-jean[steps={}]' "
                                         "--repetitions 1 --out run{}",
                                         fmt::join(kScenes, ":"), fmt::join(kSteps, "|"), moreau_jean()));
   EXPECT_EQ(run.code, 0) << run.err;
@@ -112,7 +112,7 @@ TEST(CommandAft, IsJudgedAsTheMethodOfTheProgramThatSolvesTheSameEquations) {
     const Outcome run = run_installed(
         folder,
         fmt::format(
-            "run quick --scenes {} --repetitions 1 --out run --methods 'command-aft[harmonics=10]:{}'{}",
+            "run catalogue --scenes {} --repetitions 1 --out run --methods 'command-aft[harmonics=10]:{}'{}",
             scene, twin, command_aft()),
         kPath);
     EXPECT_EQ(run.code, 0) << run.err;

@@ -114,7 +114,7 @@ TEST(Plugins, RefuseBadOptionsAsMethodsOfTheProgramDo) {
 TEST(Plugins, ThatThrowTheirOwnTypeGetARecordAndLeaveOthersUntouched) {
   const TemporaryFolder folder;
   const Outcome run = run_installed(
-      folder, "run quick --scenes sdof-stop --methods 'tiny*[level=1]:hat-lcp[samples=64]' --out run" +
+      folder, "run catalogue --scenes sdof-stop --methods 'tiny*[level=1]:hat-lcp[samples=64]' --out run" +
                   plugin("throwing.so"));
   EXPECT_EQ(run.code, 1) << run.err;
   const std::map<std::string, Record> records = records_in(folder.path() / "run");
@@ -151,7 +151,7 @@ TEST(Plugins, RebuiltMakeTheirRecordsStaleAndNoOthers) {
   const fs::path copy = folder.path() / "tiny.so";
   fs::copy(plugin_path("tiny.so"), copy);
   const std::string run =
-      "run quick --scenes sdof-stop --methods 'tiny[level=1]:hat-lcp[samples=64]' --out run "
+      "run catalogue --scenes sdof-stop --methods 'tiny[level=1]:hat-lcp[samples=64]' --out run "
       "--repetitions 1 --resume --plugin tiny.so";
   const Outcome first = run_installed(folder, run);
   EXPECT_NE(first.out.find("2 cases run, 0 already there"), std::string::npos) << first.out << first.err;
@@ -187,7 +187,7 @@ TEST(InstalledProgram, ReadsTheScenesThatWereInstalledWithIt) {
   const fs::path catalogue = folder.path() / scenes / "catalogue";
   fs::copy(catalogue / "sdof-stop.toml", catalogue / "only-here.toml");
   EXPECT_EQ(run_program(folder, folder.path() / program, "show only-here").code, 0);
-  EXPECT_NE(run_program(folder, folder.path() / program, "list suites").out.find("quick"), std::string::npos);
+  EXPECT_NE(run_program(folder, folder.path() / program, "list suites").out.find("catalogue"), std::string::npos);
   expect_refusal(run_installed(folder, "show only-here"), {"name = only-here"});
 }
 

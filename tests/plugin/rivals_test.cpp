@@ -26,7 +26,7 @@ std::map<std::string, Record> records_of(const std::string& scenes, const std::s
   const TemporaryFolder folder;
   const Outcome run = run_installed(
       folder,
-      fmt::format("run quick --scenes {} --methods '{}' --repetitions 1 --timeout 60 --out run{}", scenes,
+      fmt::format("run catalogue --scenes {} --methods '{}' --repetitions 1 --timeout 60 --out run{}", scenes,
                   methods, plugins),
       before);
   EXPECT_EQ(run.code, 0) << run.err;

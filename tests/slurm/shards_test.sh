@@ -49,9 +49,9 @@ requeued() {
 requeued_or_over() { requeued || all_over; } # the shard may have ended in that very moment
 all_over() { [ -z "$(squeue -h)" ]; }
 
-"$program" run quick --scenes "$scenes" --methods "$methods" --out "$folder/local" >/dev/null
+"$program" run catalogue --scenes "$scenes" --methods "$methods" --out "$folder/local" >/dev/null
 
-"$program" submit slurm "$folder/run" --shards 2 quick --scenes "$scenes" --methods "$methods"
+"$program" submit slurm "$folder/run" --shards 2 catalogue --scenes "$scenes" --methods "$methods"
 wait_until 240 first_record
 
 # The node of shard 1 is lost; its task goes back to the queue and resumes on the other one.
