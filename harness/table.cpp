@@ -7,12 +7,6 @@ namespace signorini {
 
 namespace {
 
-/// Characters, not bytes: continuation bytes of UTF-8 do not count.
-std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 std::string escaped(const std::string& cell) {
   std::string text;
   for (const char c : cell) {
@@ -51,7 +45,7 @@ std::string pipe_table(const Words& words, const std::vector<std::size_t>& width
   for (std::size_t r = 0; r < words.size(); ++r) {
     for (std::size_t c = 0; c < widths.size(); ++c) {
       const std::string& word = words[r][c];
-      text += "| " + word + std::string(std::max(widths[c], width(word)) - width(word) + 1, ' ');
+      text += "| " + word + std::string(std::max(widths[c], characters(word)) - characters(word) + 1, ' ');
     }
     text += "|\n";
     if (r > 0) continue;
@@ -63,6 +57,11 @@ std::string pipe_table(const Words& words, const std::vector<std::size_t>& width
 
 }  // namespace
 
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 bool Table::is_numeric(std::size_t column) const {
   return std::ranges::any_of(rows, [&](const auto& row) { return row[column].value.has_value(); });
 }
@@ -71,7 +70,7 @@ std::string to_markdown(const Table& table) {
   const Words words = escaped_words(table);
   std::vector<std::size_t> widths(table.header.size(), 3);
   for (const auto& row : words) {
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], characters(row[c]));
   }
   return pipe_table(words, widths);
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Table {
   /// Whether a column holds numbers (or nothing but numbers and reasons why there is none).
   [[nodiscard]] bool is_numeric(std::size_t column) const;
 };
+
+/// Characters of UTF-8, of which continuation bytes do not count.
+std::size_t characters(std::string_view text);
 
 /// Pipe table with aligned columns; a `|` inside a cell is escaped.
 std::string to_markdown(const Table& table);

@@ -12,6 +12,7 @@
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/judge/exact_certificate.hpp"
+#include "harness/motion/followed_scene.hpp"
 #include "harness/motion/long_motion.hpp"
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/orbits/orbit_file.hpp"
@@ -23,7 +24,6 @@
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
 #include "methods/structure/bases/condensation.hpp"
-#include "methods/structure/unfelt_motions.hpp"
 #include "problems/files/text_lines.hpp"
 #include "problems/scene/scene_layout.hpp"
 
@@ -60,26 +60,6 @@ struct Outcome {
   FlowState from;
   LongMotion motion;
   std::optional<FoundOrbit> orbit = {};  ///< where it is periodic and its orbit is certified
-};
-
-/// The scene that is followed: without rigid motions that no contact feels, along which deviations neither
-/// grow nor fade whatever the contacts do.
-class FollowedScene {
- public:
-  explicit FollowedScene(const Problem& problem)
-      : problem_(problem), felt_(without_unfelt_motions(problem)) {}
-
-  [[nodiscard]] const Problem& problem() const { return felt_ ? felt_->problem : problem_; }
-  /// Whether the scene moves where that which is followed does not.
-  [[nodiscard]] bool moves_besides() const { return felt_ && felt_->driven; }
-  /// Of u or v of the whole scene.
-  [[nodiscard]] Eigen::VectorXd coordinates(const Eigen::VectorXd& whole) const {
-    return felt_ ? Eigen::VectorXd(felt_->of * whole) : whole;
-  }
-
- private:
-  const Problem& problem_;
-  std::optional<WithoutUnfeltMotions> felt_;
 };
 
 /// One state per line, displacements and then velocities of all coordinates, at t = 0; "#" begins a comment.
@@ -282,22 +262,20 @@ int tell_motion(const MotionArguments& arguments) {
   watch_interrupts();
   const Deadline deadline = Deadline::after(arguments.timeout);
   const FollowedScene followed(problem);
-  const ContactDynamics dynamics(followed.problem());
-  const EventFlow placing = placing_flow(dynamics);
+  const EventFlow placing = placing_flow(followed.dynamics());
   const std::vector<NamedState> starts = starts_of(arguments, placing, problem, followed);
+  const std::vector<DampedStop> damped = load_damped_stops(source);
   std::vector<Outcome> outcomes;
   {
     const Waiting waiting("following " + problem.name);
     for (std::size_t i = 0; i < starts.size() && !interrupted(); ++i) {
       const double share = deadline.left() / static_cast<double>(starts.size() - i);
       const Deadline own = Deadline::after(std::max(0.0, share));
-      outcomes.push_back({starts[i].name, starts[i].state,
-                          follow_long_motion(dynamics, starts[i].state, arguments.options, own)});
-      LongRun& verdict = outcomes.back().motion.verdict;
-      if (verdict == LongRun::at_rest && followed.moves_besides()) verdict = LongRun::periodic;
+      outcomes.push_back(
+          {starts[i].name, starts[i].state, followed.follow(starts[i].state, arguments.options, own)});
       // The face of a damped stop does no work: what its damper takes is not measured.
       std::vector<StopStatistics>& stops = outcomes.back().motion.stops;
-      for (const DampedStop& stop : load_damped_stops(source))
+      for (const DampedStop& stop : damped)
         if (!stops.empty()) stops[static_cast<std::size_t>(stop.contact)].power.reset();
       outcomes.back().orbit = orbit_of(followed.problem(), outcomes.back().motion, own);
     }
@@ -309,7 +287,7 @@ int tell_motion(const MotionArguments& arguments) {
     for (const Outcome& outcome : outcomes) fmt::print("{}", headline(outcome));
     fmt::print("{}", details(outcomes.front().motion));
   }
-  write_files(arguments, problem, dynamics, outcomes.front());
+  write_files(arguments, problem, followed.dynamics(), outcomes.front());
   return outcomes.front().motion.verdict == LongRun::undecided ? kUnexpectedFailure : kDone;
 }
 

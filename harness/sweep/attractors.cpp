@@ -10,13 +10,13 @@
 
 #include "harness/interrupt.hpp"
 #include "harness/isolation/isolation.hpp"
+#include "harness/motion/followed_scene.hpp"
 #include "harness/orbits/listed_motion.hpp"
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/text/json.hpp"
-#include "methods/structure/unfelt_motions.hpp"
 
 namespace signorini {
 
@@ -123,16 +123,14 @@ void add_attractor(Attractor found, AttractorsAt& at) {
 AttractorsAt follow_starts(const Problem& problem, double value, const AttractorOptions& options) {
   constexpr LongMotionOptions kFollowed{.transient = 2000, .periods = 1000, .exponents = 1};
   const Deadline deadline = Deadline::after(options.timeout);
-  const std::optional<WithoutUnfeltMotions> felt = without_unfelt_motions(problem);
-  const ContactDynamics dynamics(felt ? felt->problem : problem);
-  const EventFlow placing = placing_flow(dynamics);
+  const FollowedScene followed(problem);
+  const EventFlow placing = placing_flow(followed.dynamics());
   AttractorsAt at{.value = value};
   for (int i = 0; i < options.starts; ++i) {
     const FlowState start =
-        i == 0 ? placing.place(0.0, dynamics.at_rest()) : random_state(placing, 1U, i - 1);
+        i == 0 ? placing.place(0.0, followed.dynamics().at_rest()) : random_state(placing, 1U, i - 1);
     const double share = deadline.left() / (options.starts - i);
-    Attractor found =
-        attractor_of(follow_long_motion(dynamics, start, kFollowed, Deadline::after(std::max(0.0, share))));
+    Attractor found = attractor_of(followed.follow(start, kFollowed, Deadline::after(std::max(0.0, share))));
     found.from_rest = i == 0;
     ++at.starts;
     add_attractor(std::move(found), at);

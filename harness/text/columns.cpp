@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,12 +14,6 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t kBetween = 2;  // blanks from one column to the next
-
-/// Characters, not bytes: continuation bytes of UTF-8 do not count.
-std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 std::size_t widest(const Lines& lines) {
   std::size_t most = 0;
@@ -44,7 +37,10 @@ struct Column {
     if (numeric) least = width;
   }
 
-  [[nodiscard]] Lines cell(std::size_t row) const { return wrapped_lines(words[row], width); }
+  /// What fits stays as it is, blanks included.
+  [[nodiscard]] Lines cell(std::size_t row) const {
+    return characters(words[row]) <= width ? Lines{words[row]} : wrapped_lines(words[row], width);
+  }
 
   [[nodiscard]] std::string padded(const std::string& word) const {
     const std::string blanks(width - std::min(width, characters(word)), ' ');

@@ -21,7 +21,7 @@ using Eigen::MatrixXd;
 constexpr double kUnfelt = 1e-12;  // of the largest entries that a product could have
 constexpr int kMostCoordinates = 400;
 
-/// Combinations of the columns of R that A takes to zero, A given by its transposed rows.
+/// Combinations of the columns of R that A takes to zero.
 MatrixXd null_combinations(const MatrixXd& R, const MatrixXd& A) {
   if (R.cols() == 0 || A.rows() == 0) return R;
   const MatrixXd image = A * R;

@@ -15,6 +15,11 @@ TEST(ToColumns, AlignsWordsLeftAndNumbersRight) {
   EXPECT_EQ(to_columns({}), "");
 }
 
+TEST(ToColumns, KeepsWhatFitsAsItIsInCharactersNotBytes) {
+  EXPECT_EQ(to_columns({.header = {"time", "b"}, .rows = {{"59.4 \u00b5s", "x  y"}}}),
+            "time     b\n59.4 \u00b5s  x  y\n");
+}
+
 TEST(ToColumns, BreaksTheWidestWordsWhereALineIsTooLong) {
   const Table table{.header = {"what", "n", "why it is so"},
                     .rows = {{"load", Cell("2.5 s", 2.5), "other processes are at work; stop them"},
