@@ -144,10 +144,10 @@ int processes_with(const std::string& word) {
 TEST(CommandMethods, ThatNeverAnswerAreEndedAtTheTimeLimitWithAllTheyStarted) {
   const TemporaryFolder folder;
   describe(folder, "setsid sleep 98765.25 &\nsleep 98765.5 &\nwait\n");
-  const Outcome run =
-      run_installed(folder,
-                    "run catalogue --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
-                    "--out run --plugin method.toml");
+  const Outcome run = run_installed(
+      folder,
+      "run catalogue --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
+      "--out run --plugin method.toml");
   EXPECT_EQ(run.code, 1) << run.err;
   const std::map<std::string, Record> records = records_in(folder.path() / "run");
   EXPECT_EQ(records.at("sdof-stop/shell[level=1]").status, Status::timeout);
@@ -242,10 +242,10 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CommandMethods, ThatHangWhenAskedAgainAreEndedAndDisturbNoOtherCase) {
   const TemporaryFolder folder;
   describe_reader(folder, "[ $n = 1 ] || sleep 98765.75; answer");
-  const Outcome run =
-      run_installed(folder,
-                    "run catalogue --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
-                    "--out run --plugin method.toml");
+  const Outcome run = run_installed(
+      folder,
+      "run catalogue --scenes sdof-stop --methods 'shell[level=1]:hat-lcp[samples=64]' --timeout 1 "
+      "--out run --plugin method.toml");
   EXPECT_EQ(run.code, 1) << run.err;
   const std::map<std::string, Record> records = records_in(folder.path() / "run");
   const Record& hangs = records.at("sdof-stop/shell[level=1]");

@@ -187,7 +187,8 @@ TEST(InstalledProgram, ReadsTheScenesThatWereInstalledWithIt) {
   const fs::path catalogue = folder.path() / scenes / "catalogue";
   fs::copy(catalogue / "sdof-stop.toml", catalogue / "only-here.toml");
   EXPECT_EQ(run_program(folder, folder.path() / program, "show only-here").code, 0);
-  EXPECT_NE(run_program(folder, folder.path() / program, "list suites").out.find("catalogue"), std::string::npos);
+  EXPECT_NE(run_program(folder, folder.path() / program, "list suites").out.find("catalogue"),
+            std::string::npos);
   expect_refusal(run_installed(folder, "show only-here"), {"name = only-here"});
 }
 
