@@ -50,34 +50,27 @@ class Sums {
   double covered_ = 0.0, length_ = 0.0, wrong_ = 0.0, right_ = 0.0;
 };
 
-/// By kResponseRule, of those that `takes` takes; null where none qualifies.
-template <class Takes>
-ResponseStanding* best_standing(std::vector<ResponseStanding>& standings, Takes takes) {
-  constexpr double kMostFalse = 0.05, kAsMuch = 0.05;
+/// By kResponseRule; null where none qualifies.
+ResponseStanding* best_standing(std::vector<ResponseStanding>& standings) {
+  constexpr double kAsMuch = 0.05;
   double most = 0.0;
-  const auto qualifies = [&](const ResponseStanding& one) {
-    return takes(one) && one.cost && one.false_share <= kMostFalse;
+  const auto qualifies = [](const ResponseStanding& one) {
+    return !one.makes_the_exact && one.cost && one.score() > 0.0;
   };
   for (const ResponseStanding& one : standings)
-    if (qualifies(one)) most = std::max(most, one.found);
+    if (qualifies(one)) most = std::max(most, one.score());
   ResponseStanding* best = nullptr;
   for (ResponseStanding& one : standings)
-    if (qualifies(one) && one.found > 0.0 && one.found >= most - kAsMuch &&
-        (best == nullptr || *one.cost < *best->cost))
+    if (qualifies(one) && one.score() >= most - kAsMuch && (best == nullptr || *one.cost < *best->cost))
       best = &one;
   return best;
 }
 
-void rank_responses(std::vector<ResponseStanding>& standings) {
-  if (ResponseStanding* best = best_standing(standings, [](const ResponseStanding&) { return true; }))
-    best->recommended = true;
-  if (ResponseStanding* other =
-          best_standing(standings, [](const ResponseStanding& one) { return !one.makes_the_exact; }))
-    other->recommended_otherwise = true;
-  const auto order = [](const ResponseStanding& one) {
-    return std::pair(one.recommended ? 0 : one.recommended_otherwise ? 1 : 2, -one.found);
-  };
-  std::ranges::stable_sort(standings, {}, order);
+void rank_responses(std::vector<ResponseStanding>& standings, bool recommend) {
+  if (ResponseStanding* best = recommend ? best_standing(standings) : nullptr) best->recommended = true;
+  std::ranges::stable_sort(standings, {}, [](const ResponseStanding& one) {
+    return std::pair(one.recommended ? 0 : one.makes_the_exact ? 2 : 1, -one.score());
+  });
 }
 
 /// Of the exact responses, as far as any method was compared with them.
@@ -105,14 +98,16 @@ ResponseGroup group_of_responses(std::optional<SceneKind> kind, const Responses&
     standing.makes_the_exact = parse_method_label(label).method == exact_method;
     if (standing.asked > 0) group.standings.push_back(std::move(standing));
   }
-  if (group.is_too_small())
-    std::ranges::stable_sort(group.standings, {}, [](const ResponseStanding& one) { return -one.found; });
-  else
-    rank_responses(group.standings);
+  rank_responses(group.standings, !group.is_too_small());
   return group;
 }
 
 }  // namespace
+
+double ResponseStanding::score() const {
+  const double true_share = 1.0 - false_share;
+  return found > 0.0 ? 2.0 * found * true_share / (found + true_share) : 0.0;
+}
 
 bool is_exact(const Record& record) { return record.response->question.way == ResponseWay::exact; }
 

@@ -14,11 +14,11 @@ namespace signorini {
 
 /// How a method for frequency responses is recommended.
 inline constexpr std::string_view kResponseRule =
-    "Recommended: of the methods of whose own branches at most 5 % are false, over all responses of the "
-    "kind, the one that finds the most of the exact branches; of those that find as much but for 5 "
-    "percentage "
-    "points, the one that takes the least time per length. A response counts as not found where a method "
-    "does not apply or represents another law. Kinds of fewer than three responses recommend nothing.";
+    "Score of a method: the harmonic mean of two shares, of the exact branches that it finds and of its own "
+    "branches that are not false. Recommended, over all responses of the kind: of the methods whose score is "
+    "within 0.05 of the best, the one of the least time per length. A response counts as not found where a "
+    "method does not apply or represents another law. Kinds of fewer than three responses recommend "
+    "nothing. The method that computes the exact branches is the reference and is not ranked.";
 
 /// Whether it is the exact response of its scene.
 bool is_exact(const Record& record);
@@ -43,15 +43,17 @@ struct ResponseStanding {
   std::optional<double> seconds = {};                    ///< processor time of all [s]
   std::optional<double> cost = {};                       ///< the same per length within kWideTolerance [s]
   bool recommended = false;                              ///< by kResponseRule
-  bool recommended_otherwise = false;  ///< by the same among methods that do not make the exact responses
+
+  /// The harmonic mean of the shares found and not false.
+  [[nodiscard]] double score() const;
 };
 
 /// The responses of scenes of a kind, and the methods that represent the law of one of them at least.
 struct ResponseGroup {
   std::optional<SceneKind> kind = {};  ///< none where the records do not know it
   std::vector<std::string> scenes = {};
-  /// The recommended ones, none of too few scenes, then by the share found, largest first, then as in
-  /// response_labels.
+  /// The recommended one, none of too few scenes, then by falling score, then as in response_labels; methods
+  /// that make the exact responses last.
   std::vector<ResponseStanding> standings = {};
 
   /// Whether there are too few scenes to recommend anything: fewer than kFewestScenes.

@@ -122,9 +122,9 @@ void recommend(std::vector<Contestant>& contestants) {
   if (sooner == nullptr) return;
   sooner->standing.recommended = true;
   const double seconds = ranking_reach(sooner->standing).median_seconds();
-  sooner->standing.reason = std::isfinite(least)
-                                ? fmt::format("one stable scene fewer, {:.2g} times as fast", least / seconds)
-                                : std::string("one stable scene fewer, timed");
+  sooner->standing.reason =
+      std::isfinite(least) ? fmt::format("one stable motion fewer, {:.2g} times as fast", least / seconds)
+                           : std::string("one stable motion fewer, timed");
 }
 
 /// Puts the contestants in order into their group.

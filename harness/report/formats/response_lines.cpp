@@ -16,9 +16,10 @@ namespace {
 
 ScreenLine row_of(const ResponseStanding& one) {
   constexpr std::size_t kName = 42;
-  const bool starred = one.recommended || one.recommended_otherwise;
-  return {fmt::format("{} {:<{}}{:>6.1f} %{:>6.1f} %{:>9}{:>10}", starred ? "*" : " ",
-                      clipped(one.label, kName), kName, 100.0 * one.found, 100.0 * one.false_share,
+  const bool starred = one.recommended;
+  const std::string mark = one.makes_the_exact ? "=" : starred ? "*" : " ";
+  return {fmt::format("{} {:<{}}{:>6.1f} %{:>6.1f} %{:>9}{:>10}", mark, clipped(one.label, kName), kName,
+                      100.0 * one.found, 100.0 * one.false_share,
                       fmt::format("{}/{}", one.located, one.points), one.cost ? time_text(*one.cost) : "-"),
           starred ? Emphasis::good : Emphasis::none};
 }
@@ -33,9 +34,7 @@ ScreenLines response_lines(const Evaluation& evaluation, std::size_t most) {
       "Which method? Share of the exact branches found, of its own false, special points located, "
       "processor time per length:");
   lines.push_back({fmt::format("{:<44}{:>8}{:>8}{:>9}{:>10}", "", "found", "false", "located", "time")});
-  ScreenLines rule = wrapped_text(std::string(kResponseRule) +
-                                  " The best of the methods that do not make the exact responses has a star "
-                                  "too.");
+  ScreenLines rule = wrapped_text(std::string(kResponseRule) + " It has the sign =.");
   const std::size_t taken = lines.size() + rule.size() + 1;
   const std::size_t rows = (most > taken ? most - taken : 0) / groups.size();
   const std::size_t methods = std::max<std::size_t>(3, rows) - 1;  // beside the title

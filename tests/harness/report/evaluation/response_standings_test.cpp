@@ -9,28 +9,29 @@
 namespace signorini::response_standings_test {
 namespace {
 
-TEST(ResponseStandings, RecommendTheCheapestOfThoseThatFindNearlyAsMuchAndInventLittle) {
+TEST(ResponseStandings, RecommendTheCheapestOfThoseThatAreNearlyAsGoodAndNeverTheRuler) {
   std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
                               test::exact_response("c")};
   test::add_method(records, "exact-orbit", 1.0, 0.0, 9.0);
   test::add_method(records, "most", 0.92, 0.04, 8.0);
-  test::add_method(records, "nearly", 0.88, 0.049, 4.0);
+  test::add_method(records, "nearly", 0.88, 0.06, 4.0);  // a share of false ones beyond 5 % is no cliff
   test::add_method(records, "cheap", 0.5, 0.0, 1.0);
-  test::add_method(records, "inventive", 1.0, 0.06, 0.1);
+  test::add_method(records, "inventive", 1.0, 0.6, 0.1);
   const std::vector<ResponseGroup> groups = response_groups(records);
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].kind, SceneKind::rigid_stop);
   EXPECT_EQ(group_title(groups[0]), "Rigid stop (e = 1), 3 responses");
   ASSERT_EQ(groups[0].standings.size(), 5U);
   for (const ResponseStanding& one : groups[0].standings) {
-    EXPECT_EQ(one.recommended, one.label == "exact-orbit") << one.label;
-    EXPECT_EQ(one.recommended_otherwise, one.label == "nearly") << one.label;
+    EXPECT_EQ(one.recommended, one.label == "nearly") << one.label;
+    EXPECT_EQ(one.makes_the_exact, one.label == "exact-orbit") << one.label;
   }
-  EXPECT_EQ(groups[0].standings[0].label, "exact-orbit");
-  EXPECT_EQ(groups[0].standings[1].label, "nearly");
-  EXPECT_EQ(groups[0].standings[2].label, "inventive");  // finds more than the rest
-  EXPECT_DOUBLE_EQ(groups[0].standings[1].found, 0.88);
-  EXPECT_DOUBLE_EQ(groups[0].standings[1].cost.value(), 4.0 / 1.5);
+  EXPECT_EQ(groups[0].standings[0].label, "nearly");
+  EXPECT_EQ(groups[0].standings[1].label, "most");
+  EXPECT_EQ(groups[0].standings[2].label, "cheap");  // 2/3 against 4/7 of what is mostly false
+  EXPECT_EQ(groups[0].standings[4].label, "exact-orbit");
+  EXPECT_DOUBLE_EQ(groups[0].standings[0].found, 0.88);
+  EXPECT_DOUBLE_EQ(groups[0].standings[0].cost.value(), 4.0 / 1.5);
 }
 
 TEST(ResponseStandings, RecommendNothingOfTwoResponses) {
@@ -42,8 +43,7 @@ TEST(ResponseStandings, RecommendNothingOfTwoResponses) {
   const ResponseGroup group = response_groups(records).at(0);
   EXPECT_TRUE(group.is_too_small());
   EXPECT_EQ(group.standings[0].label, "better");
-  for (const ResponseStanding& one : group.standings)
-    EXPECT_FALSE(one.recommended || one.recommended_otherwise) << one.label;
+  for (const ResponseStanding& one : group.standings) EXPECT_FALSE(one.recommended) << one.label;
 }
 
 TEST(ResponseStandings, CountAResponseThatAMethodDoesNotApplyToAsNotFound) {

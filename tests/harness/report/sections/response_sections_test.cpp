@@ -56,9 +56,9 @@ TEST(ResponseSections, RecommendForEachKindOfScenes) {
   const Section verdict = section(response_sections(Evaluation(records)), "response-verdict");
   ASSERT_EQ(verdict.table.rows.size(), 2U);
   EXPECT_EQ(verdict.table.rows[0][0].text, "Rigid stop (e = 1), 3 responses");
-  EXPECT_EQ(verdict.table.rows[0][1].text, "exact-orbit");
-  EXPECT_EQ(verdict.table.rows[0][2].text, "100.0 %");
-  EXPECT_EQ(verdict.table.rows[0][5].text, "m");
+  EXPECT_EQ(verdict.table.rows[0][1].text, "m");
+  EXPECT_EQ(verdict.table.rows[0][2].text, "90.0 %");
+  EXPECT_EQ(verdict.table.rows[0][5].text, "exact-orbit");
   EXPECT_EQ(verdict.table.rows[1][0].text, "Spring, 1 response");
   EXPECT_EQ(verdict.table.rows[1][1].text, kTooFewScenes);
   EXPECT_EQ(verdict.table.rows[1].size(), verdict.table.header.size());
@@ -92,7 +92,7 @@ TEST(ResponseSections, SayWhereAMethodDoesNotApplyOrTheTruthIsOpen) {
 TEST(ResponseSections, RecommendNothingWhereNoMethodQualifies) {
   std::vector<Record> records{test::exact_response("a"), test::exact_response("b"),
                               test::exact_response("c")};
-  test::add_method(records, "inventive", 1.0, 0.5, 0.1);
+  test::add_method(records, "inventive", 1.0, 1.0, 0.1);
   const std::vector<Cell> row =
       section(response_sections(Evaluation(records)), "response-verdict").table.rows.at(0);
   for (std::size_t i = 1; i < row.size(); ++i) EXPECT_EQ(row[i].text, "-") << i;
