@@ -98,11 +98,11 @@ int check(const CheckArguments& arguments) {
 }  // namespace
 
 void add_check_command(const Command& program, int& exit_code) {
-  const Command command =
-      program.command("check",
-                      "What every method must pass: declared options and laws, determinism, time budget, "
-                      "invariances, convergence, "
-                      "and no answer that is proved wrong. Exit code 1 if something failed.");
+  const Command command = program.command(
+      "check",
+      "Runs the tests that every method must pass: declared options and laws, determinism, time budget, "
+      "invariances, convergence, "
+      "and no answer that is proved wrong. Exit code 1 if something failed.");
   const auto arguments = std::make_shared<CheckArguments>();
   command.option("method", arguments->method, "method name; see `signorini list methods`");
   command.flag("--all", arguments->all, "every method there is");

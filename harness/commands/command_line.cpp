@@ -170,9 +170,10 @@ int run_command_line(int argc, char** argv) {
   std::vector<std::string> words{"signorini"};
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);
   words = without_help_command(std::move(words));
-  ArgumentParser parser("signorini",
-                        "Compares methods for periodic vibrations of structures with unilateral contact.",
-                        version_text);
+  ArgumentParser parser(
+      "signorini",
+      "Computes periodic vibrations of linear structures with unilateral contacts, and compares methods.",
+      version_text);
   const Command program = parser.program();
   program.require_command();
   for (const auto add : {add_list_command, add_show_command, add_solve_command, add_orbits_command,

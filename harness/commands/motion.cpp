@@ -297,10 +297,9 @@ void add_motion_command(const Command& program, int& exit_code) {
   constexpr int kMostPeriods = 10'000'000, kMostOrder = 64, kMostExponents = 1000, kMostDrawn = 10000;
   const Command command = program.command(
       "motion",
-      "What a machine does in the long run, from rest or from given states: it settles to a periodic motion, "
-      "to a torus, or stays irregular; Lyapunov exponents, and what happens at the stops. Exit code 1 if "
-      "that "
-      "stays undecided.");
+      "Integrates in time, from rest or from given states, and tells what the motion settles to: periodic, "
+      "quasi-periodic, irregular (chaos), at rest or unbounded. Prints Lyapunov exponents and statistics of "
+      "the impacts. Exit code 1 if the kind stays undecided.");
   const auto arguments = std::make_shared<MotionArguments>();
   command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
   command

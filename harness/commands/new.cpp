@@ -83,8 +83,8 @@ void add_kind(const Command& command, int& exit_code, const std::string& kind, c
 }  // namespace
 
 void add_new_command(const Command& program, int& exit_code) {
-  const Command command =
-      program.command("new", "A method or a scene to begin with, which builds and passes `check` at once.");
+  const Command command = program.command(
+      "new", "Writes a template of a method or a scene, which builds and passes `check` at once.");
   command.require_command();
   add_kind(command, exit_code, "method",
            "methods/NAME with header, source, test and page, and two lines in methods/catalogue.cpp; out of "

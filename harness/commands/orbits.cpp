@@ -49,7 +49,7 @@ Cell orbit_number(double value) { return {fmt::format("{:.6g}", value), value}; 
 Table orbit_table(const std::vector<FoundOrbit>& orbits) {
   Table table;
   table.header = {"orbit",         "order",      "impacts",   "phases",
-                  "amplitude [m]", "multiplier", "stability", "starts"};
+                  "amplitude [m]", "multiplier", "stability", "found"};
   for (const FoundOrbit& orbit : orbits) {
     const std::optional<double> multiplier = orbit.largest_multiplier();
     const std::string stability = stability_word(orbit.certified.stable, orbit.certified.undefined);
@@ -74,7 +74,7 @@ std::string orbit_notes(const std::vector<FoundOrbit>& orbits) {
     if (!orbit.certified.undefined.empty())
       note(fmt::format("{}: stability undefined: {}", orbit.fingerprint, orbit.certified.undefined));
     if (!orbit.cold.empty())
-      note(orbit.fingerprint + ": from a cold start also by " + method_names(orbit.cold));
+      note(orbit.fingerprint + " is also found without an initial motion by " + method_names(orbit.cold));
   }
   return text;
 }

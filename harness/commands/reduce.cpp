@@ -58,8 +58,8 @@ void add_reduce_command(const Command& program, int& exit_code) {
       .required();
   command
       .option("--vectors", arguments->order.vectors,
-              "vectors kept, or so many that whole powers of the Krylov space are; if absent, 90, "
-              "or six powers, or of more than 20 contacts and loads 100")
+              "number of Krylov vectors kept; with at most 20 contacts and loads rounded up to whole blocks. "
+              "Default: the larger of 90 and six blocks; with more than 20 contacts and loads 100")
       .range(1, kMostVectors);
   const Argument mpi = command.option("--mpi", arguments->launch.processes,
                                       "MPI processes that share the factors of the stiffness, by MUMPS: for "

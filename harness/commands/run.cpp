@@ -72,7 +72,8 @@ Limits limits_of(const RunArguments& arguments, const Suite& suite) {
 
 void print_plan(const Plan& plan) {
   for (const Case& planned_case : plan.cases) fmt::print("{}\n", planned_case.id);
-  fmt::print(stderr, "{} cases on {} scenes\n", plan.cases.size(), plan.scenes.size());
+  fmt::print(stderr, "{} on {}\n", plural(std::ssize(plan.cases), "case"),
+             plural(std::ssize(plan.scenes), "scene"));
 }
 
 Plan plan_of(const RunArguments& arguments, const Suite& suite) {

@@ -204,7 +204,7 @@ void show_sweeps(const Problem& problem, const std::vector<double>& frequencies)
   std::size_t shown = 0;
   for (std::size_t i = 0; i < frequencies.size() && shown < kMostSweeps; ++i) {
     if (!(frequencies[i] > 1e-6 * frequencies.back())) continue;
-    show_line(shown++ == 0 ? "to sweep" : "",
+    show_line(shown++ == 0 ? "suggested sweep" : "",
               fmt::format("mode {}: {}", i + 1, range_text(kBelow * frequencies[i], above * frequencies[i])));
   }
 }
@@ -235,7 +235,7 @@ void show_forcing(const Scene& scene) {
   show_line(
       "forcing",
       fmt::format(
-          "omega {:g} rad/s ({:.4g} Hz), {}; motion of period {:.6g} s{}", problem.frequency,
+          "omega {:g} rad/s ({:.4g} Hz), {}; period sought {:.6g} s{}", problem.frequency,
           problem.frequency * kHertz, plural(std::ssize(problem.force), "term"), problem.period(),
           problem.subharmonic > 1 ? fmt::format(" ({} periods of the load)", problem.subharmonic) : ""));
   if (load_grows(problem))
@@ -279,7 +279,7 @@ void show_scene(const Scene& scene, const std::vector<DampedStop>& damped,
   show_title(problem.name, problem.title);
   if (!problem.reference.empty()) show_line("reference", problem.reference);
   if (!problem.tags.empty()) show_line("tags", joined(problem.tags, ", "));
-  show_line("system", fmt::format("{}, {}; entries in M {}, D {}, K {}", problem.kind,
+  show_line("system", fmt::format("{}, {}; nonzero entries: M {}, D {}, K {}", problem.kind,
                                   plural(problem.size(), "coordinate"), problem.mass().nonZeros(),
                                   problem.damping().nonZeros(), problem.stiffness().nonZeros()));
   for (const std::string& notice : notices) show_line("notice", notice);

@@ -166,19 +166,19 @@ void add_solve_command(const Command& program, int& exit_code) {
   command
       .option(
           "--timeout", arguments->timeout,
-          "processor time of the method [s], 30 if it is not given; of wall time it may take ten times as "
-          "much")
+          "processor time of the method [s], 30 if it is not given; the wall time may be ten times as long")
       .check(positive_seconds);
   command
-      .option("--certificate", arguments->certificate,
-              "processor time of the search for the orbit behind the answer [s]; if it is not given a second "
-              "for each coordinate of the scene, at least 10 and at most 120")
+      .option(
+          "--certificate", arguments->certificate,
+          "processor time of the search for an exact motion near the result [s]; if it is not given a second "
+          "for each coordinate of the scene, at least 10 and at most 120")
       .range(0.0, 86400.0);
   command
       .option(
           "--reference", arguments->reference,
-          "march from rest for so long [s], 60 if no time is given, to tell whether that ends on the same "
-          "orbit; without this only the orbits of results/references tell")
+          "integrate from rest, for at most this processor time [s], 60 if no time is given, to tell whether "
+          "the motion ends on the same orbit; without this only the orbits of results/references tell")
       .range(0.0, 86400.0)
       .alone_means("60");
   command.flag("--json", arguments->json, "print the record as JSON");

@@ -93,7 +93,8 @@ void add_verify_command(const Command& program, int& exit_code) {
   const Command command = program.command(
       "verify",
       fmt::format(
-          "Are the committed results still true? Of a folder of references: searches every scene's "
+          "Repeats stored computations and reports what differs. Of a folder of references: searches every "
+          "scene's "
           "orbits again; each kept orbit must be found, or certified "
           "again from its impacts, its events within {:g} times the sum of both "
           "error bars plus {:g} of a period, with the same multipliers and stability. Of a folder with "
@@ -105,7 +106,7 @@ void add_verify_command(const Command& program, int& exit_code) {
   command.option("dir", arguments->folder,
                  "folder of references or of a run; results/references here or above if absent");
   command.option("--scenes", arguments->scenes,
-                 "scenes by glob, A*:B*-C*; levels of families only where it speaks of them, as "
+                 "scenes by glob, A*:B*-C*; members of a family only if the glob names them, as "
                  "grazing@*; if absent the "
                  "catalogue but for the scenes tagged large or long-search");
   command.option("--cases", arguments->cases, "cases of a run by glob on SCENE/METHOD[OPTIONS]")

@@ -142,7 +142,7 @@ std::string certificate_words(const Certificate& certificate) {
                      certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason);
 }
 
-/// "stable, largest multiplier 0.6935", or why neither is known.
+/// "stable, largest Floquet multiplier 0.6935 (modulus)", or why neither is known.
 std::string stability_line(const Record& record) {
   const Certificate& certificate = record.certificate;
   const bool certified = certificate.status == CertificateStatus::certified;
@@ -153,7 +153,7 @@ std::string stability_line(const Record& record) {
   } else if (certificate.floquet && !certificate.floquet->empty()) {
     double largest = 0.0;
     for (const auto& [re, im] : *certificate.floquet) largest = std::max(largest, std::hypot(re, im));
-    text += fmt::format(", largest multiplier {:.4g}", largest);
+    text += fmt::format(", largest Floquet multiplier {:.4g} (modulus)", largest);
   }
   if (certified && certificate.stable == false)
     text +=
@@ -192,10 +192,14 @@ std::string orbit_lines(const Certificate& certificate, bool verbose) {
 std::string error_lines(const Record& record) {
   const Errors& errors = record.errors;
   std::string text =
-      named_text("error of x", error_text(record) + " (relative, root mean square over a period)");
+      named_text("error of x", error_text(record) + " (relative, root mean square over a period" +
+                                   (record.law && record.law_matches_scene == false
+                                        ? "; to the motion with " + law_text(*record.law)
+                                        : std::string()) +
+                                   ")");
   const Measure worst = record.contacts.value_or(0) > 1 ? errors.x_worst : std::nullopt;
   for (const auto& [name, value] :
-       {std::pair{"  largest", errors.x_max}, std::pair{"  worst contact", worst},
+       {std::pair{"  maximum over time", errors.x_max}, std::pair{"  worst contact", worst},
         std::pair{"error of u", errors.u_l2}, std::pair{"error of velocity", errors.velocity_l2},
         std::pair{"error of force", errors.force}, std::pair{"  mean square", errors.force_l2},
         std::pair{"error of impulse", errors.impulse}}) {
@@ -215,7 +219,7 @@ std::string physics_lines(const Physics& physics) {
   if (!physics.energy_reason.empty())
     text += named_text("energy defect", "not defined: " + physics.energy_reason);
   if (!physics.effective_restitution.empty())
-    text += named_text("restitution found", joined(physics.effective_restitution, "{:.4f}", ", "));
+    text += named_text("effective restitution", joined(physics.effective_restitution, "{:.4f}", ", "));
   return text;
 }
 

@@ -370,13 +370,13 @@ int sweep(SweepArguments arguments) {
 }  // namespace
 
 void add_sweep_command(const Command& program, int& exit_code, const std::vector<std::string>& words) {
-  const Command command =
-      program.command("sweep",
-                      "The response over the frequency or another number of the scene, and its picture. "
-                      "With --methods the branches of several methods, by arc length through folds and "
-                      "grazings where a method has its own; with --method one method at one frequency "
-                      "after another, each solve from the answer before. Exit code 1 if a solve did not "
-                      "converge, or no branch was found.");
+  const Command command = program.command(
+      "sweep",
+      "The response over the frequency or another number of the scene, and its picture. "
+      "--methods follows branches of one or several methods by arc length, through folds and "
+      "grazings; a method that cannot do this is solved in frequency steps. --method solves "
+      "one method in frequency steps, each from the result before. Exit code 1 if a solve did "
+      "not converge, or no branch was found; 6 if parts of the interval are missing.");
   const auto arguments = std::make_shared<SweepArguments>();
   arguments->words = words;
   add_sweep_options(command, *arguments);

@@ -25,7 +25,8 @@ void add_branch_options(const Command& command, SweepArguments& arguments) {
       .shows_default();
   command
       .option("--max-order,--orders", arguments.max_order,
-              "by arc length: longest period [forcing periods]; 6 of exact-orbit on scenes of at most ten "
+              "by arc length: longest period searched [forcing periods]; default 6 for exact-orbit with at "
+              "most ten "
               "coordinates, else 2")
       .range(1, 12);
   command.option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all")
@@ -52,9 +53,11 @@ void add_attractor_options(const Command& command, SweepArguments& arguments) {
   command
       .option(
           "--attractors", arguments.attractors.starts,
-          "at each value follow the motion from rest and from random states, so many starts in all: where "
-          "they go, to which order or an irregular motion, and how many. With --methods exact-orbit branches "
-          "begin at these motions too, and what lies on no branch is said")
+          "number of initial states, rest and random ones, that are integrated in time at each value: prints "
+          "the motions reached, their period in forcing periods or that they are irregular, and the share of "
+          "the starts. With --methods exact-orbit branches begin at these motions too, and those on no "
+          "branch "
+          "are listed")
       .range(1, 10000);
   command.option("--jobs", arguments.attractors.jobs, "with --attractors: values looked at at the same time")
       .range(1, 1024)
@@ -94,12 +97,13 @@ void add_sweep_options(const Command& command, SweepArguments& arguments) {
   command.flag("--hz", arguments.hertz, "--from, --to and --at are in Hz");
   add_attractor_options(command, arguments);
   add_special_point_options(command, arguments);
-  command.option("--points", arguments.range.points, "frequencies, both ends included")
+  command.option("--points", arguments.range.points, "number of frequencies, both ends included")
       .range(2, 1000000)
       .shows_default();
   command.flag("--log", arguments.range.logarithmic, "equal ratios instead of equal steps");
   command.flag("--down,--back", arguments.range.back,
-               "and back again from the last answer: where the ways differ, several motions coexist");
+               "also sweep back from --to to --from, beginning at the last result: where both differ, "
+               "motions coexist");
   command.flag("--certify", arguments.limits.certified,
                "look for the orbit behind each answer: whether there is one, and whether it is stable");
   command

@@ -120,8 +120,8 @@ ScreenLines stability_lines(const Evaluation& evaluation) {
   for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
   if (counts.certified == 0) return {};
   return wrapped_text(
-      fmt::format("Certified: an exact motion was found close to the answer ({}). Refuted: the "
-                  "answer is wrong. Unproven: neither.",
+      fmt::format("Certified: an exact motion lies within 10 % of the result and has the same contacts ({}). "
+                  "Refuted: the result is wrong. Unproven: not decided. Failed: no result.",
                   stability_text(counts.stable, counts.unstable, counts.certified)));
 }
 

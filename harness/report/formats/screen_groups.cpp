@@ -150,14 +150,14 @@ struct Advice {
 
   [[nodiscard]] std::string text() const {
     const std::string from = time_text(least), to = time_text(most);
-    return fmt::format("For {} take {}: it comes within 1 % of the exact motion on {} of {} scenes, in {}.",
+    return fmt::format("For {} use {}: its error is at most 1 % on {} of {} scenes, the median time {}.",
                        enumerated(kinds), standing->configuration, solved, scenes,
-                       from == to ? from : from + " to " + to);
+                       from == to ? from : fmt::format("{} to {}, by kind", from, to));
   }
 };
 
-/// "The others do so on: hat-lcp 11 of 12, ...": of each further method the best configuration, best first,
-/// as far as two lines hold.
+/// "Scenes on which other methods reach 1 %, ...: hat-lcp 11 of 12, ...": of each further method the best
+/// configuration, best first, as far as two lines hold.
 ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<Advice>& advice) {
   struct Solved {
     std::string configuration;
@@ -187,7 +187,9 @@ ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<A
     items.push_back(fmt::format("{} {} of {}", one.configuration, one.scenes, one.of));
   }
   if (items.empty()) return {};
-  ScreenLines lines = wrapped_text("The others do so on: " + joined(items, ", ") + ".");
+  ScreenLines lines = wrapped_text(
+      "Scenes on which other methods reach 1 %, of those whose law they represent: " + joined(items, ", ") +
+      ".");
   constexpr std::size_t kMostLines = 3;
   lines.resize(std::min(lines.size(), kMostLines));
   for (ScreenLine& line : lines) line.text = clipped(line.text, kScreenWidth);
@@ -216,8 +218,8 @@ ScreenLines advice_lines(std::vector<SceneGroup> groups) {
   for (const Advice& one : advice) append(lines, wrapped_text(one.text()));
   if (!advice.empty()) append(lines, others_lines(groups, advice));
   if (!unsolved.empty())
-    append(lines, wrapped_text(fmt::format("For {} no method comes within 1 % of a stable motion.",
-                                           enumerated(unsolved))));
+    append(lines, wrapped_text(
+                      fmt::format("For {} no method reaches 1 % on a stable motion.", enumerated(unsolved))));
   return lines;
 }
 

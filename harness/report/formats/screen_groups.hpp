@@ -31,9 +31,11 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 
 /// The rule by which a method is recommended, as reports print it above their groups.
 inline constexpr std::string_view kVerdictRule =
-    "* Recommended: an error of 1 % on the most scenes with a stable motion, then the least time (ties "
-    "within 10 %); a second * misses one scene more and is faster. Each cell: median time to that error, "
-    "scenes solved; - if half or more fail. Last column: unstable motions among those solved to 10 %:";
+    "* marks the method that reaches 1 % on the most scenes with a stable motion; among equals, those "
+    "within 10 % of the least time. A second * marks a faster method that does so on one scene fewer. Each "
+    "cell: "
+    "median time to that error, number of scenes; - if half or more do not reach it. Last column: unstable "
+    "motions among those found to 10 %:";
 
 /// The titles of kGroupErrors.
 inline constexpr std::array<const char*, kGroupErrors.size()> kErrorTitles{"10 %", "1 %", "0.1 %", "1e-6"};

@@ -105,8 +105,9 @@ std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& g
   };
   const auto quiet = with_quiet_section(family, grazing.base);
   if (!quiet) return std::nullopt;
-  return start_where_grows(family, *quiet, clearance,
-                           fmt::format("contact {} clears its stop", grazing.touches.front().contact));
+  return start_where_grows(
+      family, *quiet, clearance,
+      fmt::format("contact {} no longer reaches its stop", grazing.touches.front().contact));
 }
 
 namespace {

@@ -256,7 +256,7 @@ std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, const
   switch (guard.kind) {
     case GuardKind::approach:
       return event().kind == ContactEvent::Kind::impact
-                 ? fmt::format("an impact of contact {} fades", event().contact)
+                 ? fmt::format("the speed of an impact of contact {} tends to zero", event().contact)
                  : fmt::format("contact {} stops pressing", event().contact);
     case GuardKind::interval: {
       const std::size_t count = orbit.events.size();

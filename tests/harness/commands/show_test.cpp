@@ -23,13 +23,12 @@ TEST(CommandShow, ShowsScenesAndMethods) {
             "sdof-stop-e08: One mass, one stop, driven above resonance, restitution 0.8\n"
             "reference         closed form of the one-impact orbit\n"
             "tags              sdof, single-point, impact, above-resonance\n"
-            "system            sdof, 1 coordinate; entries in M 1, D 1, K 1\n"
+            "system            sdof, 1 coordinate; nonzero entries: M 1, D 1, K 1\n"
             "eigenfrequencies  1 rad/s\n"
             "                  0.159155 Hz\n"
             "damping ratios    0.05\n"
-            "to sweep          mode 1: 0.8 to 2 rad/s (0.1273 to 0.3183 Hz)\n"
-            "forcing           omega 2.2 rad/s (0.3501 Hz), 1 term; motion of period 2.85599\n"
-            "                  s\n"
+            "suggested sweep   mode 1: 0.8 to 2 rad/s (0.1273 to 0.3183 Hz)\n"
+            "forcing           omega 2.2 rad/s (0.3501 Hz), 1 term; period sought 2.85599 s\n"
             "contact 0         u[0] <= 0.2 m\n"
             "law               rigid stops, e = 0.8\n");
   const std::string method = run("show fourier-lipschitz").out;

@@ -137,8 +137,8 @@ TEST(CommandSolve, PrintsTheMotionThenTheJudgementOnOneScreen) {
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
     std::size_t last = 0;
     for (const char* part :
-         {"converged\nstability             stable, largest multiplier ", "\ndisplacement ", "\nimpacts ",
-          "\ncontact phases ", "\nharmonics ", "\ncertified by orbit ", "\nerror of x "}) {
+         {"converged\nstability             stable, largest Floquet multiplier ", "\ndisplacement ",
+          "\nimpacts ", "\ncontact phases ", "\nharmonics ", "\ncertified by orbit ", "\nerror of x "}) {
       const std::size_t at = outcome.out.find(part);
       ASSERT_NE(at, std::string::npos) << part << outcome.out;
       EXPECT_GT(at, last) << part;
@@ -159,7 +159,7 @@ TEST(CommandSolve, SaysInTheFirstLinesWhatTheJudgementIs) {
 TEST(CommandSolve, TellsAnUnstableMotionWhereItBegins) {
   const Outcome outcome = run("solve chaos@2.97 --method exact-orbit");
   EXPECT_EQ(outcome.out.rfind("chaos@2.97/exact-orbit: converged\nstability             unstable, largest "
-                              "multiplier 4.369; ",
+                              "Floquet multiplier 4.369 (modulus); ",
                               0),
             0U)
       << outcome.out;

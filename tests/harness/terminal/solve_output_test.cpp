@@ -87,9 +87,11 @@ TEST(AnswerText, SaysInItsSecondLineWhetherTheMotionIsStable) {
   record.certificate.floquet = {{0.1, 0.0}, {-0.3, -0.4}, {-0.3, 0.4}};
   const auto second = [&] { return lines_of(answer_text(record, {}))[1]; };
   record.certificate.stable = true;
-  EXPECT_EQ(second(), "stability             stable, largest multiplier 0.5");
+  EXPECT_EQ(second(), "stability             stable, largest Floquet multiplier 0.5 (modulus)");
   record.certificate.stable = false;
-  EXPECT_EQ(second().rfind("stability             unstable, largest multiplier 0.5; ", 0), 0U) << second();
+  EXPECT_EQ(second().rfind("stability             unstable, largest Floquet multiplier 0.5 (modulus); ", 0),
+            0U)
+      << second();
   record.certificate.stable.reset();
   record.certificate.floquet.reset();
   EXPECT_EQ(second(), "stability             not determined: the multipliers do not tell");

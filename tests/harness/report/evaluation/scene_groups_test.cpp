@@ -69,7 +69,7 @@ TEST(SceneGroups, PutScenesSolvedBeforeTime) {
   EXPECT_EQ(groups[0].scenes, (Names{"s0", "s1", "s2"}));
   EXPECT_EQ(order(groups[0]), (Names{"*slow", "slower", "*quick-on-two"}));
   EXPECT_EQ(groups[0].standings[0].reason, "most scenes, fastest");
-  EXPECT_EQ(groups[0].standings[2].reason, "one stable scene fewer, 2e+06 times as fast");
+  EXPECT_EQ(groups[0].standings[2].reason, "one stable motion fewer, 2e+06 times as fast");
   EXPECT_EQ(groups[0].standings[2].reach[0].scenes, 3);
   EXPECT_EQ(groups[0].standings[2].reach[1].scenes, 2);
   EXPECT_EQ(groups[0].standings[2].reach[2].scenes, 0);
@@ -101,7 +101,7 @@ TEST(SceneGroups, NameBothWhereOneSceneDecides) {
   const SceneGroup group = scene_groups(Evaluation(records)).front();
   EXPECT_EQ(order(group), (Names{"*thorough", "*quick", "quick-too", "slow"}));
   EXPECT_EQ(group.standings[0].reason, "most scenes");
-  EXPECT_EQ(group.standings[1].reason, "one stable scene fewer, 8.6 times as fast");
+  EXPECT_EQ(group.standings[1].reason, "one stable motion fewer, 8.6 times as fast");
   std::erase_if(records, [](const Record& record) { return record.method.starts_with("quick"); });
   EXPECT_EQ(order(scene_groups(Evaluation(records)).front()), (Names{"*thorough", "slow"}))
       << "no faster than the machine is steady";

@@ -60,17 +60,20 @@ TEST(Screen, SaysWhichMethodToTakeForWhichScenes) {
   EXPECT_EQ(screen_report(Evaluation(records_with_known_winners()), kContext),
             R"(14 cases run, 0 already there; records and manifest are in out
 4 scenes, 14 cases, 13 certified, 1 failed
-Certified: an exact motion was found close to the answer (1 unstable, 12 not
-determined). Refuted: the answer is wrong. Unproven: neither.
+Certified: an exact motion lies within 10 % of the result and has the same
+contacts (1 unstable, 12 not determined). Refuted: the result is wrong.
+Unproven: not decided. Failed: no result.
 
-For rigid stops take fast: it comes within 1 % of the exact motion on 3 of 3
-scenes, in 1 ms.
-The others do so on: exact 3 of 3.
+For rigid stops use fast: its error is at most 1 % on 3 of 3 scenes, the median
+time 1 ms.
+Scenes on which other methods reach 1 %, of those whose law they represent:
+exact 3 of 3.
 
-Which method? * Recommended: an error of 1 % on the most scenes with a stable
-motion, then the least time (ties within 10 %); a second * misses one scene more
-and is faster. Each cell: median time to that error, scenes solved; - if half or
-more fail. Last column: unstable motions among those solved to 10 %:
+Which method? * marks the method that reaches 1 % on the most scenes with a
+stable motion; among equals, those within 10 % of the least time. A second *
+marks a faster method that does so on one scene fewer. Each cell: median time to
+that error, number of scenes; - if half or more do not reach it. Last column:
+unstable motions among those found to 10 %:
                                10 %         1 %       0.1 %        1e-6    unst.
 Rigid stop (e = 1), 3 scenes: fast
 * fast                         1 ms  3     1 ms  3    20 ms  2    20 ms  2     0
@@ -130,9 +133,9 @@ TEST(Screen, SaysOnceWhatIsBestForSeveralKinds) {
     }
   }
   const std::string screen = screen_report(Evaluation(records), kContext);
-  EXPECT_NE(screen.find("For rigid stops and restitution take fast: it comes within 1 % of the exact\n"
-                        "motion on 6 of 6 scenes, in 1 ms to 2 ms.\n"
-                        "For springs no method comes within 1 % of a stable motion.\n"),
+  EXPECT_NE(screen.find("For rigid stops and restitution use fast: its error is at most 1 % on 6 of 6\n"
+                        "scenes, the median time 1 ms to 2 ms, by kind.\n"
+                        "For springs no method reaches 1 % on a stable motion.\n"),
             std::string::npos)
       << screen;
 }

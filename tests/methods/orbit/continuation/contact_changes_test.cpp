@@ -92,8 +92,8 @@ TEST(PastChange, LeadsThroughTheChangesOfThreeContacts) {
   int ended_phases = 0, exchanged = 0;
   for (std::size_t i = 0; i + 1 < diagram.branches.size(); ++i) {
     const std::string& ended = diagram.branches[i].ended;
-    if (ended.find("fades") != std::string::npos || ended.find("stops pressing") != std::string::npos ||
-        ended.find("meet") != std::string::npos)
+    if (ended.find("tends to zero") != std::string::npos ||
+        ended.find("stops pressing") != std::string::npos || ended.find("meet") != std::string::npos)
       ++ended_phases;
     if (ended.find("coincide") != std::string::npos) ++exchanged;
     // The next branch goes on from there.
