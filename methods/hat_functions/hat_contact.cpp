@@ -27,6 +27,8 @@ namespace {
 constexpr int kShortPath = 4;
 // The same after which it is given up.
 constexpr int kLongPath = 100;
+// Pressures of each contact beyond which it counts as long too: a pivot costs the square of their number.
+constexpr int kManyPressures = 128;
 // Marching either repeats its contacts soon, or follows a motion that is not periodic.
 constexpr int kMarchedPeriods = 300;
 
@@ -83,12 +85,13 @@ class PreparedHat final : public PreparedMethod {
       return static_cast<int>(
           std::min<long>(per_unknown * form.lcp.matrix->size(), std::numeric_limits<int>::max()));
     };
-    const bool within_limit = asked > 0 && asked <= pivots(kShortPath);
-    const LcpResult first = follow_path(form.lcp, within_limit ? asked : pivots(kShortPath), start, guess);
-    if (first.status != LcpStatus::limit || within_limit) return first;
-
     // A force that hat functions interpolate at one node is felt at the node before: no recurrence has it.
     const bool marches = options_.scheme != HatScheme::consistent;
+    const bool within_limit = asked > 0 && asked <= pivots(kShortPath);
+    const LcpResult first = follow_path(form.lcp, within_limit ? asked : pivots(kShortPath), start, guess,
+                                        marches && asked == 0 ? kManyPressures * receptance_.contacts() : 0);
+    if (first.status != LcpStatus::limit || within_limit) return first;
+
     LcpResult result = marches ? march(form, start) : LcpResult{};
     if (result.status != LcpStatus::solved)
       result = follow_path(form.lcp, asked > 0 ? asked : pivots(kLongPath), start, {});
@@ -98,11 +101,12 @@ class PreparedHat final : public PreparedMethod {
 
   /// Attempts 1 and 2, or the solver asked for, with that many pivots or steps.
   [[nodiscard]] LcpResult follow_path(const Lcp& lcp, int max_iterations, const Start& start,
-                                      const Eigen::VectorXd& guess) const {
+                                      const Eigen::VectorXd& guess, int most_positive = 0) const {
     return solve_lcp(lcp,
                      {.solver = options_.solver,
                       .tolerance = options_.tolerance,
                       .max_iterations = max_iterations,
+                      .most_positive = most_positive,
                       .deadline = start.deadline,
                       .cover_amplitude = options_.cover_amplitude,
                       .cover_phase = options_.cover_phase},

@@ -39,9 +39,9 @@ struct HatSettings {
 ///      after attempt 1; the motion is a guess after that;
 ///   1. permanent contact: w = 0 at all nodes, one linear solve;
 ///   2. pivoting from the guess, then cold, then with other covering vectors where a path ends on a ray
-///      (`solve_lcp`), as long as the path is short, 4 pivots per unknown;
-///   3. where the path is long (chatter: as many solutions as bounces): marching in time from rest until the
-///      nodes in contact repeat, and Newton's method from there;
+///      (`solve_lcp`), as long as the path is short: 4 pivots per unknown, 128 pressures per contact;
+///   3. where the path is long (chatter: as many solutions as bounces; contact that lasts on a fine grid):
+///      marching in time from rest until the nodes in contact repeat, and Newton's method from there;
 ///   4. pivoting to the end, 100 pivots per unknown.
 ///
 /// With HatScheme::bdf2, `automatic` and no limit on iterations, massless and spring stops of structures with

@@ -1,5 +1,5 @@
 #pragma once
-// The routine of LAPACK [anderson1999] that the decompositions of this room call, with the lengths of its
+// The routines of LAPACK [anderson1999] that the decompositions of this room call, with the lengths of their
 // texts as Fortran compilers pass them. Arrays are column by column; `info` is 0 where a routine succeeds.
 // With a work space of size -1 it tells the best size in its first entry and does nothing else.
 
@@ -12,6 +12,9 @@ extern "C" {
 void dgesdd_(const char* job, const int* m, const int* n, double* a, const int* a_stride, double* s,
              double* u, const int* u_stride, double* vt, const int* vt_stride, double* work,
              const int* work_size, int* integers, int* info, std::size_t);
+/// P A = L U, A m x n, in place; row i, from 1 on, was exchanged with row pivots[i]. info > 0: U is singular.
+// NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
+void dgetrf_(const int* m, const int* n, double* a, const int* a_stride, int* pivots, int* info);
 }
 
 namespace signorini {

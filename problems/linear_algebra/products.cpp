@@ -1,5 +1,7 @@
 #include "problems/linear_algebra/products.hpp"
 
+#include <cblas.h>
+
 namespace signorini {
 
 using Complex = std::complex<double>;
@@ -7,12 +9,21 @@ using Eigen::Index;
 
 Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A,
                         const Eigen::Ref<const Eigen::MatrixXd>& B) {
-  return A * B;
+  Eigen::MatrixXd C(A.rows(), B.cols());
+  set_product(C, A, B);
+  return C;
 }
 
 void set_product(Eigen::Ref<Eigen::MatrixXd> C, const Eigen::Ref<const Eigen::MatrixXd>& A,
                  const Eigen::Ref<const Eigen::MatrixXd>& B) {
-  C.noalias() = A * B;
+  if (C.size() * A.cols() < kLeastForBlas) {
+    C.noalias() = A * B;
+    return;
+  }
+  const auto size = [](Index n) { return static_cast<int>(n); };
+  cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, size(C.rows()), size(C.cols()), size(A.cols()), 1.0,
+              A.data(), size(A.outerStride()), B.data(), size(B.outerStride()), 0.0, C.data(),
+              size(C.outerStride()));
 }
 
 Eigen::MatrixXcd product_of_complex(const Eigen::MatrixXd& A, const Eigen::MatrixXcd& B) { return A * B; }

@@ -1,12 +1,16 @@
 #pragma once
-// Products of small dense matrices and parts of them, compiled once (docs/decisions/0052). Sums go in the
-// order of Eigen's own products, whatever the BLAS; those of large matrices: dense_products.hpp.
+// Products of dense matrices and parts of them, compiled once (docs/decisions/0052). Sums go in the order of
+// Eigen's own products, whatever the BLAS, but for `product` and `set_product` of large matrices.
 
 #include <Eigen/Core>
 #include <complex>
 #include <vector>
 
 namespace signorini {
+
+/// Multiply-adds from which `product` calls the BLAS: those of kLeastForLapack rows and columns. Below, the
+/// bits are the same on every processor.
+inline constexpr Eigen::Index kLeastForBlas = 32 * 32 * 32;
 
 /// A B, A m x k and B k x n.
 Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A,

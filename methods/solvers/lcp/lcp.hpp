@@ -108,6 +108,7 @@ struct SolverSettings {
   ComplementaritySolver solver = ComplementaritySolver::automatic;  ///< which of them `solve_lcp` takes
   double tolerance = 1e-10;                                         ///< on LcpResult::residual [-]
   int max_iterations = 0;  ///< pivots or Newton iterations; 0: the solver's own limit
+  int most_positive = 0;   ///< components of z that a path of pivots holds positive at most; 0: any number
   /// The end of the time budget.
   Deadline deadline = {};
   double cover_amplitude =

@@ -43,6 +43,7 @@ class LemkePath {
     const long size = lcp.offset.size();
     q_scale_ = lcp.offset.lpNorm<Eigen::Infinity>();
     limit_ = settings.max_iterations > 0 ? settings.max_iterations : 6000 + 10 * size;
+    most_positive_ = settings.most_positive > 0 ? settings.most_positive : size;
   }
 
   LcpResult run() {
@@ -53,7 +54,8 @@ class LemkePath {
     if (!warm && lcp_.offset.minCoeff() >= 0.0) return finish(LcpStatus::solved, open);
     if (!warm) start_cold();
     if (warm && start_warm()) return conclude();
-    while (result_.pivots < limit_) {
+    while (result_.pivots < limit_ &&
+           std::ssize(basis_.rows()) <= most_positive_ + 1) {  // one is that of tau
       if (result_.pivots % kClock == 0 && settings_.deadline.passed())
         return finish(LcpStatus::interrupted, open);
       if (since_refresh_++ % kRefresh == 0) recompute();
@@ -225,7 +227,7 @@ class LemkePath {
   const SolverSettings& settings_;
   const Eigen::VectorXd& guess_;
   double q_scale_ = 1.0;
-  long limit_ = 0;
+  long limit_ = 0, most_positive_ = 0;
   static constexpr int kNone = -1;
   LemkeBasis basis_;
   std::optional<OpenRows> open_;  // from the first cover on
