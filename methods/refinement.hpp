@@ -66,9 +66,6 @@ std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, Re
 /// so far from the one on the next coarser grid.
 inline constexpr double kNearOrbit = 0.5;
 
-/// Motions within this distance are told to be the same one by a method that chooses its resolution itself.
-inline constexpr double kOwnMotion = 0.1;
-
 /// |x_a - x_b| over the larger of the sizes of x_a and x_b about their means, root mean squares at so many
 /// instants; of two motions smaller than `least`, which are at rest, over the deflection of which `least` is
 /// 1e-6 (size_at_rest) [-].

@@ -261,9 +261,4 @@ std::vector<bool> contacts_with_mass(const Problem& problem) {
   return massive;
 }
 
-bool contacts_are_massless(const Problem& problem) {
-  const std::vector<bool> massive = contacts_with_mass(problem);
-  return std::find(massive.begin(), massive.end(), true) == massive.end();
-}
-
 }  // namespace signorini

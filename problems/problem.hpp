@@ -216,7 +216,4 @@ Eigen::VectorXd contact_stiffness_scale(const Problem& problem);
 /// For each contact, whether M w_j != 0 beyond rounding, Nc.
 std::vector<bool> contacts_with_mass(const Problem& problem);
 
-/// True where M w_j = 0 for every contact: no impact law is needed and none may be given.
-bool contacts_are_massless(const Problem& problem);
-
 }  // namespace signorini

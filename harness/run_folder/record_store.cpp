@@ -54,21 +54,6 @@ std::uint64_t for_each_record(const fs::path& file,
       "`run --resume` runs its case again");
 }
 
-std::vector<Record> read_records(const fs::path& file) {
-  std::vector<Record> records;
-  std::unordered_map<std::string, std::size_t> places;
-  for_each_record(file, [&](Record record, const LinePlace&) {
-    const auto place = places.find(record.key);
-    if (!record.key.empty() && place != places.end()) {
-      records[place->second] = std::move(record);
-      return;
-    }
-    places[record.key] = records.size();
-    records.push_back(std::move(record));
-  });
-  return records;
-}
-
 Record StoredRecords::at(const LinePlace& place) const {
   try {
     return parse_line(lines_.at(place));

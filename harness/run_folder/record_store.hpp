@@ -23,10 +23,6 @@ namespace signorini {
 std::uint64_t for_each_record(const std::filesystem::path& file,
                               const std::function<void(Record, const LinePlace&)>& take);
 
-/// Records of a file in order; of several with one key the last. \throws UsageError if the file cannot be
-/// read
-std::vector<Record> read_records(const std::filesystem::path& file);
-
 /// Records of a file by the places of their lines.
 class StoredRecords {
  public:

@@ -132,10 +132,6 @@ std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const M
   return curve->follow(scene, asked);
 }
 
-BranchDiagram exact_branches(const ParametrisedScene& scene, const CurveLimits& limits) {
-  return branches_of(scene, {.entry = &exact_method()}, limits).value();
-}
-
 std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int values, int max_order,
                                           double timeout) {
   constexpr int kStarts = 24;

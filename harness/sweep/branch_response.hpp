@@ -35,10 +35,6 @@ void require_curve(const ParametrisedScene& scene, const MethodChoice& method);
 std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const MethodChoice& method,
                                          const CurveLimits& limits);
 
-/// Those of exact orbits, by which others are judged: of exact_method() with its defaults. \throws UsageError
-/// as require_curve
-BranchDiagram exact_branches(const ParametrisedScene& scene, const CurveLimits& limits);
-
 /// All orbits that `find_all_orbits` finds at `values` values of the parameter spread over the interval, of
 /// periods up to so many of the load: beginnings of branches that hang together with no other
 /// (CurveLimits::begin_at). None without a periodic load. \param timeout  of all searches [s]

@@ -11,10 +11,6 @@ namespace signorini {
 
 namespace {
 
-Eigen::VectorXd no_values(Eigen::Index size) {
-  return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
-}
-
 // Eigen takes some matrices that are not finite for converged.
 bool lower_finite(const Eigen::MatrixXd& A) {
   for (Eigen::Index j = 0; j < A.cols(); ++j) {
@@ -25,21 +21,12 @@ bool lower_finite(const Eigen::MatrixXd& A) {
   return true;
 }
 
-// Whether A x = lambda B x has an answer; Eigen does not look.
-bool has_answer(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  return lower_finite(A) && lower_finite(B) && CholeskyFactors(B).definite();
-}
-
 template <class Solver>
 SymmetricEigen taken_from(const Solver& solver, bool with_vectors) {
   SymmetricEigen result{
       .converged = solver.info() == Eigen::Success, .values = solver.eigenvalues(), .vectors = {}};
   if (with_vectors) result.vectors = solver.eigenvectors();
   return result;
-}
-
-Eigen::VectorXd values_of(SymmetricEigen found, Eigen::Index size) {
-  return found.converged ? std::move(found.values) : no_values(size);
 }
 
 }  // namespace
@@ -51,23 +38,18 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A) {
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A) {
-  if (A.rows() == 0 || !lower_finite(A)) return no_values(A.rows());
-  return values_of(
-      taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly), false), A.rows());
+  SymmetricEigen found;
+  if (A.rows() > 0 && lower_finite(A))
+    found = taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly), false);
+  if (found.converged) return std::move(found.values);
+  return Eigen::VectorXd::Constant(A.rows(), std::numeric_limits<double>::quiet_NaN());
 }
 
 SymmetricEigen generalised_eigen(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
-  if (!has_answer(A, B)) return {};
+  if (!lower_finite(A) || !lower_finite(B) || !CholeskyFactors(B).definite())
+    return {};  // Eigen does not look
   return taken_from(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(A, B), true);
-}
-
-Eigen::VectorXd generalised_eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  if (A.rows() == 0 || !has_answer(A, B)) return no_values(A.rows());
-  return values_of(
-      taken_from(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(A, B, Eigen::EigenvaluesOnly),
-                 false),
-      A.rows());
 }
 
 }  // namespace signorini

@@ -21,7 +21,5 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A);
 /// A x = lambda B x with x^T B x = 1, B symmetric and positive definite, lower triangles alone. Not converged
 /// where B is not definite or an entry is not finite.
 SymmetricEigen generalised_eigen(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
-/// The values alone; all NaN where they do not converge.
-Eigen::VectorXd generalised_eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 }  // namespace signorini

@@ -31,6 +31,7 @@
 #include "problems/scene/scene_family.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/validation.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::test {
 

@@ -49,11 +49,12 @@ struct Response {
 };
 
 void by_arc_length(const Response& response, const ParametrisedScene& scene) {
+  const MethodChoice exact{.entry = &exact_method()};
   BranchDiagram diagram;
   const double all =
-      seconds_of([&] { diagram = exact_branches(scene, {.max_branches = response.branches}); });
+      seconds_of([&] { diagram = branches_of(scene, exact, {.max_branches = response.branches}).value(); });
   // No branch at all: what is left is the search for their beginnings.
-  const double search = seconds_of([&] { (void)exact_branches(scene, {.max_branches = 0}); });
+  const double search = seconds_of([&] { (void)branches_of(scene, exact, {.max_branches = 0}); });
   long points = 0, unstable = 0;
   for (const Branch& branch : diagram.branches) {
     points += static_cast<long>(branch.points.size());

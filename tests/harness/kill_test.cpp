@@ -13,6 +13,7 @@
 #include "harness/files.hpp"
 #include "harness/run_folder/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::kill_test {
 namespace {

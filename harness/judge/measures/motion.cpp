@@ -202,25 +202,6 @@ SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer) {
   return sampled;
 }
 
-Motion thinned(const Motion& motion, int step) {
-  const auto every = [&](const Eigen::MatrixXd& values) -> Eigen::MatrixXd {
-    return values(Eigen::seqN(0, values.rows() / step, step), Eigen::all);
-  };
-  Motion result;
-  result.order = motion.order;
-  result.forcing_period = motion.forcing_period;
-  result.samples = {every(motion.samples.x), every(motion.samples.velocity), every(motion.samples.force)};
-  result.impulses = motion.impulses;
-  result.events = motion.events;
-  result.speeds = motion.speeds;
-  result.integrated = motion.integrated;
-  result.bandwidth = motion.bandwidth;
-  result.shown = motion.shown;
-  result.force_coefficients = motion.force_coefficients;
-  result.least = motion.least;
-  return result;
-}
-
 std::optional<int> harmonics_of_force(const Motion& motion) {
   constexpr double kLeftOut = 0.5;
   if (!motion.bandwidth || motion.nodes || motion.force_coefficients.size() > 0) return std::nullopt;

@@ -71,9 +71,6 @@ double least_size(const Problem& problem, const ContactSpace* space = nullptr);
 /// Both.
 SampledAnswer sample_answer(const Problem& problem, const Trajectory& answer);
 
-/// Every `step`-th instant of a motion; `step` divides their number per forcing period.
-Motion thinned(const Motion& motion, int step);
-
 /// The contact force in harmonics of the motion's period: as many as it resolves, at most `max_harmonics` but
 /// for harmonics of the load.
 ForceSeries force_series(const Problem& problem, const Motion& motion, int max_harmonics);

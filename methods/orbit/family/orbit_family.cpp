@@ -45,7 +45,6 @@ std::shared_ptr<OrbitModel> OrbitFamily::model(double parameter) {
   } else {
     recent_.emplace_front(parameter, middle_ ? std::make_shared<OrbitModel>(*middle_, parameter, modes_)
                                              : std::make_shared<OrbitModel>(scene_.at(parameter), modes_));
-    ++made_;
     if (recent_.size() > kKept) recent_.pop_back();
   }
   return recent_.front().second;

@@ -43,7 +43,6 @@ class OrbitFamily {
   /// False of free motions, which a periodic load drives not: any phase of theirs is as good as another, and
   /// their energy does not change.
   [[nodiscard]] bool driven() const { return driven_; }
-  [[nodiscard]] long models_made() const { return made_; }  ///< since construction
 
  private:
   [[nodiscard]] double typical_displacement();
@@ -54,7 +53,6 @@ class OrbitFamily {
   std::shared_ptr<SharedModes> modes_ = std::make_shared<SharedModes>();
   std::unique_ptr<OrbitModel> middle_;                                // where the frequency is the parameter
   std::list<std::pair<double, std::shared_ptr<OrbitModel>>> recent_;  // latest first
-  long made_ = 0;
 };
 
 }  // namespace signorini

@@ -12,6 +12,7 @@
 #include "harness/run_folder/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::merge_test {
 namespace {

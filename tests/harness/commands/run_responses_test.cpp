@@ -19,6 +19,7 @@
 #include "harness/run_folder/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/harness/stored_records.hpp"
 #include "tests/problems/temporary_folder.hpp"
 
 namespace signorini::run_responses_test {

@@ -20,6 +20,7 @@
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/harness/sample_records.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::run_test {
 namespace {

@@ -14,6 +14,7 @@
 #include "harness/run_folder/record_store.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/harness/stored_records.hpp"
 #include "tests/support/other_programs.hpp"
 
 namespace signorini::submit_test {

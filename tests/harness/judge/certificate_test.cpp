@@ -8,6 +8,7 @@
 
 #include "harness/run_folder/record_store.hpp"
 #include "tests/harness/judge/fake_orbits.hpp"
+#include "tests/harness/stored_records.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini::certificate_test {

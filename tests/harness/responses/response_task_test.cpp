@@ -12,6 +12,7 @@
 #include "methods/curve.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::response_task_test {
 namespace {

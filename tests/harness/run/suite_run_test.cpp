@@ -13,6 +13,7 @@
 #include "methods/plugin/sanitizer.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::suite_run_test {
 

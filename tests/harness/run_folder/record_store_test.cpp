@@ -9,6 +9,7 @@
 #include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::record_store_test {
 namespace {

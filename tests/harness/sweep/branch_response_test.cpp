@@ -35,6 +35,10 @@ double distance(const nlohmann::json& response, const std::string& kind, double 
   return nearest;
 }
 
+BranchDiagram exact_branches(const ParametrisedScene& scene, const CurveLimits& limits) {
+  return branches_of(scene, {.entry = &exact_method()}, limits).value();
+}
+
 // x(t) = Re(e^{i w t} / (1 - w^2 + i c w)) where nothing touches; at twice the period both halves.
 TEST(ExactBranches, KeepTheMotionAtEquidistantPhasesOfTheLoad) {
   const Problem problem = read_scene(find_scene("sdof-stop")).problem;

@@ -188,7 +188,8 @@ TEST(ExactBranches, FoldWhereThePublishedRodDoes) {
   for (const Published& rod : {Published{"rod-penalty@0.4", 64892.9, 63848.3, 1.0},
                                Published{"rod-penalty@4", 69450.2, 63876.8, 30.0}}) {
     const Problem problem = read_scene(find_scene(rod.scene)).problem;
-    const BranchDiagram diagram = exact_branches(over_frequency(problem, 57000.0, 75000.0), {});
+    const BranchDiagram diagram =
+        branches_of(over_frequency(problem, 57000.0, 75000.0), {.entry = &exact_method()}, {}).value();
     for (const double fold : {rod.upper, rod.lower}) {
       double nearest = 1e300;
       for (const Branch& branch : diagram.branches) {

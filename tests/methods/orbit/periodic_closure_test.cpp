@@ -49,7 +49,7 @@ TEST(PeriodicClosure, TellsAResonanceOfOneModeOfMany) {
   Problem chain = test::stopped_chain(3, 1.0, 1);
   chain.edit_structure([](Structure& structure) { structure.damping = SparseMatrix(3, 3); });
   const Eigen::MatrixXd M(chain.mass()), K(chain.stiffness());
-  const Eigen::VectorXd squares = generalised_eigenvalues(K, M);
+  const Eigen::VectorXd squares = generalised_eigen(K, M).values;
   for (int mode = 0; mode < 3; ++mode) {
     chain.frequency = std::sqrt(squares[mode]);
     OrbitModel resonant(chain);

@@ -30,7 +30,7 @@ double wave_speed(const Bar& bar) { return std::sqrt(bar.young / bar.density); }
 
 // Rising, [rad/s].
 Eigen::VectorXd frequencies(const Structure& structure) {
-  return generalised_eigenvalues(structure.stiffness, structure.mass).cwiseSqrt();
+  return generalised_eigen(structure.stiffness, structure.mass).values.cwiseSqrt();
 }
 
 // w_k of the continuous clamped-free bar, k from 1.

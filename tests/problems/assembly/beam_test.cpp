@@ -29,7 +29,7 @@ Beam steel_beam(int elements, ContactMass contact_mass = ContactMass::consistent
 
 // (w_k / w_unit)^(1/2), w_unit = sqrt(E I / (rho A L^4)): the roots of cos(b) cosh(b) = -1 if exact.
 double root(const Beam& beam, const Structure& structure, int k) {
-  const Eigen::VectorXd squares = generalised_eigenvalues(structure.stiffness, structure.mass);
+  const Eigen::VectorXd squares = generalised_eigen(structure.stiffness, structure.mass).values;
   const double unit = beam.young * beam.inertia / (beam.density * beam.area * std::pow(beam.length, 4));
   return std::pow(squares(k - 1) / unit, 0.25);
 }
@@ -168,7 +168,7 @@ Shaft shaft(int elements, double bearing_stiffness) {
 
 // Rising, [rad/s].
 Eigen::VectorXd frequencies(const Structure& structure) {
-  return generalised_eigenvalues(structure.stiffness, structure.mass).cwiseSqrt();
+  return generalised_eigen(structure.stiffness, structure.mass).values.cwiseSqrt();
 }
 
 TEST(AssembleShaft, OnStiffBearingsIsTheSimplySupportedBeamInBothPlanesAtOrderFour) {

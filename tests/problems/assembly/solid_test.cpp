@@ -54,7 +54,7 @@ std::vector<Eigen::VectorXd> linear_motions(const SolidMesh& mesh) {
 
 // Natural frequencies, lowest first [rad/s].
 Eigen::VectorXd frequencies(const Structure& structure) {
-  return generalised_eigenvalues(structure.stiffness, structure.mass).cwiseSqrt();
+  return generalised_eigen(structure.stiffness, structure.mass).values.cwiseSqrt();
 }
 
 std::vector<int> coordinates(const SolidMesh& mesh, const std::string& group, int axis) {

@@ -132,7 +132,6 @@ TEST(SymmetricEigen, OfNothing) {
   EXPECT_TRUE(symmetric_eigen(Matrix(0, 0)).converged);
   EXPECT_EQ(symmetric_eigenvalues(Matrix(0, 0)).size(), 0);
   EXPECT_TRUE(generalised_eigen(Matrix(0, 0), Matrix(0, 0)).converged);
-  EXPECT_EQ(generalised_eigenvalues(Matrix(0, 0), Matrix(0, 0)).size(), 0);
 }
 
 TEST(GeneralisedEigen, OfAScaledSpringChainAreThoseOfTheChain) {
@@ -140,11 +139,9 @@ TEST(GeneralisedEigen, OfAScaledSpringChainAreThoseOfTheChain) {
     const Matrix A = scaled(spring_chain(size)), B = scaled(Matrix::Identity(size, size));
     const SymmetricEigen found = generalised_eigen(lower_part(A), lower_part(B));
     ASSERT_TRUE(found.converged) << size;
-    const Vector values = generalised_eigenvalues(lower_part(A), lower_part(B));
-    ASSERT_EQ(values.size(), size);
+    ASSERT_EQ(found.values.size(), size);
     for (int k = 0; k < size; ++k) {
       EXPECT_NEAR(found.values[k], chain_eigenvalue(size, k), 80.0 * kEps) << size << ' ' << k;
-      EXPECT_NEAR(values[k], chain_eigenvalue(size, k), 80.0 * kEps) << size << ' ' << k;
       const double sign = found.vectors(0, k) > 0.0 ? 1.0 : -1.0;
       double worst = 0.0;
       for (int i = 0; i < size; ++i) {
@@ -172,8 +169,6 @@ TEST(GeneralisedEigen, AreNormalisedByTheSecondMatrix) {
     const Matrix gram = product(transposed(found.vectors), product(B, found.vectors));
     EXPECT_LT(distance(gram, Matrix::Identity(size, size)), 100.0 * kEps) << size;
     EXPECT_LT(residual(A, B, found), 20.0 * kEps * size) << size;
-    const Vector values = generalised_eigenvalues(A, B);
-    EXPECT_LT(distance(values, found.values), 20.0 * kEps * size) << size;
     for (int k = 1; k < size; ++k) EXPECT_LE(found.values[k - 1], found.values[k]) << size;
   }
 }
@@ -185,7 +180,6 @@ TEST(GeneralisedEigen, OfASecondMatrixThatIsNotDefiniteDoNotConverge) {
         Matrix B = masses(size);
         B(place, place) = mass;
         EXPECT_FALSE(generalised_eigen(spring_chain(size), B).converged) << size << ' ' << place;
-        expect_no_values(generalised_eigenvalues(spring_chain(size), B), size);
       }
     }
   }
@@ -197,10 +191,8 @@ TEST(GeneralisedEigen, OfWhatIsNotFiniteDoNotConverge) {
       Matrix A = spring_chain(size), B = masses(size);
       A(size - 1, column) = kNone;
       EXPECT_FALSE(generalised_eigen(A, masses(size)).converged) << size << ' ' << column;
-      expect_no_values(generalised_eigenvalues(A, masses(size)), size);
       B(size - 1, column) = kNone;
       EXPECT_FALSE(generalised_eigen(spring_chain(size), B).converged) << size << ' ' << column;
-      expect_no_values(generalised_eigenvalues(spring_chain(size), B), size);
     }
   }
 }

@@ -175,16 +175,6 @@ TEST(SampleAnswer, GivesTheMotionOfASoundAnswer) {
   EXPECT_EQ(sampled.motion.bandwidth, answer->bandwidth());
 }
 
-TEST(Thinned, KeepsEveryStepThInstantAndTheImpulses) {
-  const Motion all = motion(2, 0.5, 0, {{0, 1.0, -0.5}});
-  const Motion few = thinned(all, 16);
-  ASSERT_EQ(few.count(), 2 * kGrid / 16);
-  EXPECT_EQ(few.order, 2);
-  EXPECT_EQ(few.period(), all.period());
-  for (const int i : {0, 1, 100}) EXPECT_EQ(few.samples.velocity(i, 0), all.samples.velocity(16 * i, 0));
-  EXPECT_EQ(few.impulses.size(), 1U);
-}
-
 /// Force -(2 + cos 4t) N, the second harmonic of the load, and an impulse of -3 N s at a quarter of the
 /// period.
 Motion pushing(int order, std::optional<int> bandwidth = {}) {

@@ -10,6 +10,7 @@
 #include "harness/report/formats/screen_groups.hpp"
 #include "harness/run_folder/record_store.hpp"
 #include "tests/harness/sample_records.hpp"
+#include "tests/harness/stored_records.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace signorini::screen_test {
