@@ -113,17 +113,8 @@ constexpr double kErrorFloor = 1e-9;
 
 /// Which of two results of one check stands: the higher one.
 int severity(CheckOutcome outcome) {
-  switch (outcome) {
-    case CheckOutcome::not_applicable:
-      return 0;
-    case CheckOutcome::passed:
-      return 1;
-    case CheckOutcome::remarked:
-      return 2;
-    case CheckOutcome::failed:
-      return 3;
-  }
-  return 0;
+  constexpr std::array kSeverities{1, 2, 0, 3};  // in the order of CheckOutcome
+  return kSeverities.at(static_cast<std::size_t>(outcome));
 }
 
 /// Whether an orbit is known to measure its error against: its own, or one that is near.

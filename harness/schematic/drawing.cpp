@@ -4,16 +4,9 @@
 #include <array>
 #include <limits>
 
+#include "harness/table.hpp"
+
 namespace signorini {
-
-namespace {
-
-/// Characters of a text in UTF-8.
-std::ptrdiff_t characters(const std::string& text) {
-  return std::ranges::count_if(text, [](unsigned char c) { return (c & 0xC0U) != 0x80U; });
-}
-
-}  // namespace
 
 const char* ink_name(Ink ink) {
   constexpr std::array kNames{"structure", "contact", "load", "note"};

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "harness/text/words.hpp"
+
 namespace signorini {
 
 namespace {
@@ -65,30 +67,10 @@ std::string text_of(const Label& label, const Sheet& sheet) {
   const Place at = sheet.pixels(label.place);
   return fmt::format(R"(<text class="{}" x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)",
                      ink_name(label.ink), at.x(), at.y(), kAnchors.at(static_cast<std::size_t>(label.anchor)),
-                     xml_text(label.words));
+                     html_escaped(label.words));
 }
 
 }  // namespace
-
-std::string xml_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
-    }
-  }
-  return escaped;
-}
 
 std::string svg_of(const Drawing& drawing) {
   const Sheet sheet{extent(drawing)};
@@ -96,7 +78,7 @@ std::string svg_of(const Drawing& drawing) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
       "{1:.0f}\" font-size=\"{2:.1f}\" role=\"img\">\n<title>{3}</title>\n",
-      size.x(), size.y(), kPixels * kTextSize, xml_text(drawing.title));
+      size.x(), size.y(), kPixels * kTextSize, html_escaped(drawing.title));
   svg += style_element();
   svg += fmt::format("<rect class=\"sheet\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", size.x(), size.y());
   for (const Part& part : drawing.parts) {

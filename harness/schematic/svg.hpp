@@ -10,9 +10,6 @@ namespace signorini {
 /// White paper around a drawing [cm].
 inline constexpr double kDrawingMargin = 0.4;
 
-/// A text of XML: what would be markup is escaped, control characters are blanks.
-std::string xml_text(const std::string& text);
-
 /// The drawing as one SVG document, with a margin around all that it holds. Each part is a group `<g
 /// class="KIND">`; colours follow the reader's choice of light or dark. The same bytes each time.
 std::string svg_of(const Drawing& drawing);

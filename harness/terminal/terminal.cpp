@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
 #include "harness/text/words.hpp"
 
@@ -23,9 +22,7 @@ std::string_view environment(const char* variable) {
 
 /// What a shell runs that is asked for "signorini"; empty where it finds none.
 fs::path found_by_shell() {
-  const std::string path(environment("PATH"));
-  const std::vector<std::string> folders = split(path, ':');
-  for (const std::string& folder : folders) {
+  for (const std::string& folder : folders_of("PATH")) {
     const fs::path program = fs::path(folder) / "signorini";
     if (access(program.c_str(), X_OK) == 0) return program;
   }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 namespace signorini {
 
@@ -54,6 +56,22 @@ std::string replaced(std::string_view text, std::string_view from, std::string_v
     text.remove_prefix(at + from.size());
   }
   return written.append(text);
+}
+
+std::vector<std::string> folders_of(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value == nullptr || *value == '\0' ? std::vector<std::string>() : split(value, ':');
+}
+
+std::string html_escaped(std::string text) {
+  // Control characters, which HTML forbids.
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return (c < 0x20U && c != '\n' && c != '\t') || c == 0x7FU; }, ' ');
+  // The ampersand first: the others are spelled with it.
+  for (const auto& [plain, spelled] :
+       {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+    text = replaced(text, plain, spelled);
+  return text;
 }
 
 }  // namespace signorini

@@ -30,4 +30,12 @@ double rounded(double value, int digits);
 /// The text with every `from`, which is not empty, replaced by `to`, read once from the left.
 std::string replaced(std::string_view text, std::string_view from, std::string_view to);
 
+/// Folders that an environment variable lists, such as PATH: what stands between its colons; none where it is
+/// unset.
+std::vector<std::string> folders_of(const char* variable);
+
+/// Text inside HTML or XML and inside their attributes: what would be markup is spelled out, control
+/// characters but ends of lines and tabs are blanks.
+std::string html_escaped(std::string text);
+
 }  // namespace signorini

@@ -67,14 +67,8 @@ std::string runnable(const std::string& program, const fs::path& folder) {
     const fs::path file = folder / program;
     return can_run(file) ? file.string() : "";
   }
-  const char* const variable = std::getenv("PATH");
-  std::string_view rest = variable == nullptr ? "" : variable;
-  while (!rest.empty()) {
-    const std::string_view place = rest.substr(0, rest.find(':'));
-    rest.remove_prefix(std::min(rest.size(), place.size() + 1));
-    if (can_run(fs::path(place) / program)) return program;
-  }
-  return {};
+  const auto holds_it = [&](const std::string& place) { return can_run(fs::path(place) / program); };
+  return std::ranges::any_of(folders_of("PATH"), holds_it) ? program : std::string();
 }
 
 /// Reads `command` and `files`; `hashed` takes the bytes of every file that answers may depend on.

@@ -14,6 +14,7 @@
 #include "harness/isolation/isolation.hpp"
 #include "harness/isolation/process_state.hpp"
 #include "harness/plan/plan.hpp"
+#include "harness/text/words.hpp"
 #include "methods/catalogue.hpp"
 #include "methods/plugin/plugin.hpp"
 
@@ -49,11 +50,8 @@ std::vector<fs::path> plugins_in(const fs::path& folder) {
 }
 
 std::vector<fs::path> plugins_on_path() {
-  const char* const variable = std::getenv(kPath);
-  std::string_view rest = variable == nullptr ? "" : variable;
   std::vector<fs::path> files;
-  while (!rest.empty()) {
-    const std::string_view folder = take(rest, ':');
+  for (const std::string& folder : folders_of(kPath)) {
     if (folder.empty()) continue;
     for (fs::path& file : plugins_in(folder)) files.push_back(std::move(file));
   }

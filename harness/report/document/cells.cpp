@@ -3,28 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "harness/report/document/lines.hpp"
 #include "harness/report/evaluation/case_result.hpp"
 
 namespace signorini {
-
-namespace {
-
-std::string shortened(const std::string& text) {
-  constexpr std::size_t kLongest = 60;
-  if (text.size() <= kLongest) return text;
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // no half characters
-  return text.substr(0, end) + "...";
-}
-
-}  // namespace
 
 Cell count_cell(std::ptrdiff_t count) { return {std::to_string(count), static_cast<double>(count)}; }
 
 Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all) {
   return {fmt::format("{} of {}", count, all), static_cast<double>(count)};
+}
+
+Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all, double seconds) {
+  const std::string text = count_cell(count, all).text;
+  return {std::isfinite(seconds) ? text + ", " + time_text(seconds) : text, seconds};
 }
 
 std::string in_place(Status status) { return fmt::format("({})", status_name(status)); }
@@ -61,10 +56,12 @@ std::string stability_text(int stable, int unstable, int all) {
 }
 
 std::string orbit_text(const Record& record) {
+  constexpr std::size_t kLongestReason = 63;
   const Certificate& certificate = record.certificate;
   if (certificate.status == CertificateStatus::none) return in_place(record);
   if (certificate.status == CertificateStatus::uncertified)
-    return "uncertified: " + shortened(certificate.reason.empty() ? "no reason given" : certificate.reason);
+    return "uncertified: " +
+           clipped(certificate.reason.empty() ? "no reason given" : certificate.reason, kLongestReason);
   const std::string name = certificate.orbit.value_or("unnamed");
   const std::string stability = !certificate.undefined.empty() && !certificate.stable
                                     ? ", stability undefined"
@@ -75,7 +72,8 @@ std::string orbit_text(const Record& record) {
   if (!certificate.same_orbit) {
     return fmt::format(
         "{}{} (no reference: {})", name, motion,
-        shortened(certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason));
+        clipped(certificate.reference_reason.empty() ? "not computed" : certificate.reference_reason,
+                kLongestReason));
   }
   return (*certificate.same_orbit ? "same" : fmt::format("other ({})", name)) + motion;
 }

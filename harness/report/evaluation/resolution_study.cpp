@@ -1,5 +1,7 @@
 #include "harness/report/evaluation/resolution_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -68,6 +70,12 @@ std::string answers_of(const ResolutionStudy& study) {
   std::string text;
   for (const std::string_view digest : digests) text.append(digest).append(" ");
   return text;
+}
+
+std::string label_of(const ResolutionStudy& study) {
+  const RepresentedLaw* law = study.runs.front().result->law;
+  if (study.eligibility != Eligibility::another_law || law == nullptr) return study.configuration;
+  return fmt::format("{} ({})", study.configuration, law_text(*law));
 }
 
 std::ptrdiff_t solved_runs(const ResolutionStudy& study) {

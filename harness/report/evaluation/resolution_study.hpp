@@ -53,6 +53,9 @@ bool has_equations_of(const CaseChoice& a, const CaseChoice& b);
 /// digest.
 std::string answers_of(const ResolutionStudy& study);
 
+/// Its configuration, with the law that it represents where that is not the scene's.
+std::string label_of(const ResolutionStudy& study);
+
 /// How many of its runs have an error.
 std::ptrdiff_t solved_runs(const ResolutionStudy& study);
 

@@ -141,25 +141,15 @@ void rank_contestants(std::vector<Contestant> contestants, SceneGroup& group) {
 }  // namespace
 
 std::string_view kind_title(SceneKind kind) {
-  switch (kind) {
-    case SceneKind::rigid_stop:
-      return "Rigid stop (e = 1)";
-    case SceneKind::restitution:
-      return "Restitution (e < 1)";
-    case SceneKind::spring:
-      return "Spring";
-    case SceneKind::massless:
-      return "Massless contact";
-    case SceneKind::mixed_laws:
-      return "Mixed laws";
-    case SceneKind::many_contacts:
-      return "Many contacts (5 or more)";
-    case SceneKind::large_structure:
-      return "Large structure (100 coordinates or more)";
-    case SceneKind::contact_free:
-      return "Motion without contact";
-  }
-  return {};
+  constexpr std::array<std::string_view, 8> kTitles{"Rigid stop (e = 1)",
+                                                    "Restitution (e < 1)",
+                                                    "Spring",
+                                                    "Massless contact",
+                                                    "Mixed laws",
+                                                    "Many contacts (5 or more)",
+                                                    "Large structure (100 coordinates or more)",
+                                                    "Motion without contact"};
+  return kTitles.at(static_cast<std::size_t>(kind));
 }
 
 std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,

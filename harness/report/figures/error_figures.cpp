@@ -25,12 +25,6 @@ std::string resolution_text(const CaseChoice& choice) {
   return text;
 }
 
-std::string label_of(const ResolutionStudy& study) {
-  const RepresentedLaw* law = study.runs.front().result->law;
-  if (study.eligibility != Eligibility::another_law || law == nullptr) return study.configuration;
-  return fmt::format("{} ({})", study.configuration, law_text(*law));
-}
-
 /// The curve of a study, its runs, and the runs whose errors are bounds.
 /// \param cost  of a run; runs without one are left out
 ErrorCurve curve_of(const ResolutionStudy& study, std::size_t place, const CostAxis& axis) {

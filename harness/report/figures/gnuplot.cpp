@@ -87,6 +87,23 @@ void require_plain_name(const std::string& name) {
   throw UsageError(fmt::format("figure = {} (must be a name of letters, digits and \"@._-\")", name));
 }
 
+/// What gnuplot draws with: svg, pdf or png.
+std::string terminal_of(const Figure& figure, std::string_view format) {
+  constexpr double kPixels = 2.0;  // of a bitmap, per pixel of a screen
+  const double width = figure.width * kPixelsPerCentimetre, height = figure.height * kPixelsPerCentimetre;
+  const std::string terminal =
+      format == "svg"
+          ? fmt::format("svg size {:.0f},{:.0f} font 'sans-serif,9' fontscale {:.3f} background '#ffffff'",
+                        width, height, kPixelsPerPoint)
+      : format == "pdf"
+          ? fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm font 'sans,9'", figure.width, figure.height)
+          : fmt::format(
+                "pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:g} linewidth {:g} "
+                "pointscale {:g}",
+                kPixels * width, kPixels * height, kPixels, kPixels, kPixels);
+  return terminal + " dashlength 0.7 rounded";
+}
+
 }  // namespace
 
 std::string gnuplot_string(std::string_view text) {
@@ -158,17 +175,17 @@ plot 2 notitle)",
 std::string whole_script(const Figure& figure) {
   constexpr std::string_view kScript = R"(# gnuplot {0}.gp makes {0}.svg and {0}.pdf of {0}.dat
 data = '{0}.dat'
-svg = "svg size {1:.0f},{2:.0f} font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
-pdf = "pdfcairo size {3:.1f}cm,{4:.1f}cm font 'sans,9' dashlength 0.7 rounded"
+svg = "{1}"
+pdf = "{2}"
 do for [format in 'svg pdf'] {{
 reset
 eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output '{0}.'.format
-{5}unset output
+{3}unset output
 }}
 )";
-  return fmt::format(kScript, figure.name, figure.width * kPixelsPerCentimetre,
-                     figure.height * kPixelsPerCentimetre, figure.width, figure.height, figure.script);
+  return fmt::format(kScript, figure.name, terminal_of(figure, "svg"), terminal_of(figure, "pdf"),
+                     figure.script);
 }
 
 std::string without_date(std::string pdf) {
@@ -179,26 +196,12 @@ std::string without_date(std::string pdf) {
 }
 
 std::string drawn(const Figure& figure, std::string_view format) {
-  constexpr double kPixels = 2.0;  // of a bitmap, per pixel of a screen
   require_plain_name(figure.name);
   const TemporaryFolder folder;
-  const double width = figure.width * kPixelsPerCentimetre, height = figure.height * kPixelsPerCentimetre;
-  std::string terminal;
-  if (format == "svg")
-    terminal = fmt::format("svg size {:.0f},{:.0f} font 'sans-serif,9' fontscale {:.3f} background '#ffffff'",
-                           width, height, kPixelsPerPoint);
-  else if (format == "pdf")
-    terminal = fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm font 'sans,9'", figure.width, figure.height);
-  else
-    terminal =
-        fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:g} linewidth {:g} pointscale {:g}",
-                    kPixels * width, kPixels * height, kPixels, kPixels, kPixels);
   write_whole(folder.path() / "figure.dat", figure.data);
-  write_whole(
-      folder.path() / "figure.gp",
-      fmt::format("data = 'figure.dat'\nset terminal {} dashlength 0.7 rounded\nset output 'figure.out'\n"
-                  "{}unset output\n",
-                  terminal, figure.script));
+  write_whole(folder.path() / "figure.gp",
+              fmt::format("data = 'figure.dat'\nset terminal {}\nset output 'figure.out'\n{}unset output\n",
+                          terminal_of(figure, format), figure.script));
   if (const int code = run_gnuplot(folder.path(), {"figure.gp"}); code != 0)
     throw UsageError(fmt::format("figure = {} (gnuplot ended with exit code {}: {})", figure.name, code,
                                  first_line(folder.path() / kLog)));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <map>
+#include <sstream>
 #include <type_traits>
 
 #include "harness/records/json_fields.hpp"
@@ -74,57 +75,38 @@ void collect_texts(const std::string& path, const T& value, std::map<std::string
   }
 }
 
-/// A column: its title, and the path of the field that it shows.
+/// Columns of table.csv in order: a title, and behind "=" the path of the field that it shows where that has
+/// another name. Two of them are no fields: kResolution and kReason.
+constexpr const char* kResolution = "resolution";
+constexpr const char* kReason = "reason";
+constexpr const char* kColumns = R"(case scene scene_law method resolution law law_matches_scene status period
+x_l2=errors.x_l2 x_max=errors.x_max u_l2=errors.u_l2 velocity_l2=errors.velocity_l2 impulse=errors.impulse
+force_l2=errors.force_l2 x_l2_scene=errors.x_l2_scene error_bar=certificate.error_bar
+penetration=physics.penetration complementarity=physics.complementarity energy_defect=physics.energy_defect
+contact_ratio=physics.contact_ratio seconds_min=seconds.min seconds_median=seconds.median
+seconds_mad=seconds.mad seconds_setup=seconds.setup seconds_solve=seconds.solve unknowns=work.unknowns
+iterations=work.iterations pivots=work.pivots rhs_evaluations=work.rhs_evaluations
+factorisations=work.factorisations points=work.points peak_memory_bytes=work.peak_memory_bytes condition
+certificate=certificate.status orbit=certificate.orbit same_orbit=certificate.same_orbit problem
+stable=certificate.stable return_distance=certificate.return_distance x_worst=errors.x_worst force=errors.force
+reason)";
+
 struct CsvColumn {
-  std::string_view title;
-  std::string_view field;
+  std::string title, field;
 };
 
-/// Columns of table.csv, in order. Two of them are no fields: kResolution and kReason.
-constexpr std::string_view kResolution = "resolution", kReason = "reason";
-constexpr std::array<CsvColumn, 43> kColumns{{{"case", "case"},
-                                              {"scene", "scene"},
-                                              {"scene_law", "scene_law"},
-                                              {"method", "method"},
-                                              {kResolution, kResolution},
-                                              {"law", "law"},
-                                              {"law_matches_scene", "law_matches_scene"},
-                                              {"status", "status"},
-                                              {"period", "period"},
-                                              {"x_l2", "errors.x_l2"},
-                                              {"x_max", "errors.x_max"},
-                                              {"u_l2", "errors.u_l2"},
-                                              {"velocity_l2", "errors.velocity_l2"},
-                                              {"impulse", "errors.impulse"},
-                                              {"force_l2", "errors.force_l2"},
-                                              {"x_l2_scene", "errors.x_l2_scene"},
-                                              {"error_bar", "certificate.error_bar"},
-                                              {"penetration", "physics.penetration"},
-                                              {"complementarity", "physics.complementarity"},
-                                              {"energy_defect", "physics.energy_defect"},
-                                              {"contact_ratio", "physics.contact_ratio"},
-                                              {"seconds_min", "seconds.min"},
-                                              {"seconds_median", "seconds.median"},
-                                              {"seconds_mad", "seconds.mad"},
-                                              {"seconds_setup", "seconds.setup"},
-                                              {"seconds_solve", "seconds.solve"},
-                                              {"unknowns", "work.unknowns"},
-                                              {"iterations", "work.iterations"},
-                                              {"pivots", "work.pivots"},
-                                              {"rhs_evaluations", "work.rhs_evaluations"},
-                                              {"factorisations", "work.factorisations"},
-                                              {"points", "work.points"},
-                                              {"peak_memory_bytes", "work.peak_memory_bytes"},
-                                              {"condition", "condition"},
-                                              {"certificate", "certificate.status"},
-                                              {"orbit", "certificate.orbit"},
-                                              {"same_orbit", "certificate.same_orbit"},
-                                              {"problem", "problem"},
-                                              {"stable", "certificate.stable"},
-                                              {"return_distance", "certificate.return_distance"},
-                                              {"x_worst", "errors.x_worst"},
-                                              {"force", "errors.force"},
-                                              {kReason, kReason}}};
+const std::vector<CsvColumn>& csv_columns() {
+  static const std::vector<CsvColumn> columns = [] {
+    std::vector<CsvColumn> found;
+    std::istringstream words(kColumns);
+    for (std::string word; words >> word;) {
+      const std::size_t equals = word.find('=');
+      found.push_back({word.substr(0, equals), word.substr(equals + 1)});  // npos + 1 is 0: the whole word
+    }
+    return found;
+  }();
+  return columns;
+}
 
 std::vector<Cell> csv_row(const Record& record) {
   std::map<std::string, std::string> texts;
@@ -132,7 +114,7 @@ std::vector<Cell> csv_row(const Record& record) {
   texts.emplace(kResolution, resolution_of(record));
   texts.emplace(kReason, csv_reason(record));
   std::vector<Cell> row;
-  for (const CsvColumn& column : kColumns) row.emplace_back(texts[std::string(column.field)]);
+  for (const CsvColumn& column : csv_columns()) row.emplace_back(texts[column.field]);
   return row;
 }
 
@@ -140,7 +122,7 @@ std::vector<Cell> csv_row(const Record& record) {
 
 void csv_report(const Evaluation& evaluation, const TextSink& sink) {
   std::vector<Cell> header;
-  for (const CsvColumn& column : kColumns) header.emplace_back(std::string(column.title));
+  for (const CsvColumn& column : csv_columns()) header.emplace_back(column.title);
   sink(csv_line(header));
   for (const CaseResult& result : evaluation.results()) sink(csv_line(csv_row(evaluation.record_of(result))));
 }

@@ -104,25 +104,15 @@ std::vector<std::vector<std::size_t>> share_out(std::span<const SceneGroup> grou
 
 /// What the scenes of a kind have, as a sentence names it.
 std::string_view kind_words(SceneKind kind) {
-  switch (kind) {
-    case SceneKind::rigid_stop:
-      return "rigid stops";
-    case SceneKind::restitution:
-      return "restitution";
-    case SceneKind::spring:
-      return "springs";
-    case SceneKind::massless:
-      return "massless contacts";
-    case SceneKind::mixed_laws:
-      return "contacts of different laws";
-    case SceneKind::many_contacts:
-      return "many contacts";
-    case SceneKind::large_structure:
-      return "large structures";
-    case SceneKind::contact_free:
-      break;
-  }
-  return "motions without contact";
+  constexpr std::array<std::string_view, 8> kWords{"rigid stops",
+                                                   "restitution",
+                                                   "springs",
+                                                   "massless contacts",
+                                                   "contacts of different laws",
+                                                   "many contacts",
+                                                   "large structures",
+                                                   "motions without contact"};
+  return kWords.at(static_cast<std::size_t>(kind));
 }
 
 /// "a, b and c".

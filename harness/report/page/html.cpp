@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <utility>
 
 #include "harness/report/document/lines.hpp"
-#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -52,17 +50,6 @@ std::string row_text(const Table& table, const std::vector<std::size_t>& columns
 
 std::string link_to_cases(const std::string& name) {
   return fmt::format("<a href=\"#cases\" data-filter>{}</a>", breakable(name));
-}
-
-std::string html_escaped(std::string text) {
-  // Control characters, which HTML forbids.
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return (c < 0x20U && c != '\n' && c != '\t') || c == 0x7FU; }, ' ');
-  // The ampersand first: the others are spelled with it.
-  for (const auto& [plain, spelled] :
-       {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
-    text = replaced(text, plain, spelled);
-  return text;
 }
 
 std::string html_text(const std::string& text) {

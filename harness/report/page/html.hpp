@@ -4,11 +4,9 @@
 #include <string>
 
 #include "harness/table.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
-
-/// Text as it stands between tags and in quoted attributes.
-std::string html_escaped(std::string text);
 
 /// Plain text as paragraphs' content, `code` between backquotes.
 std::string html_text(const std::string& text);

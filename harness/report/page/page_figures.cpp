@@ -35,12 +35,6 @@ Json four_digits(const std::vector<double>& values) {
   return list;
 }
 
-std::string label_of_study(const ResolutionStudy& study) {
-  const RepresentedLaw* law = study.runs.front().result->law;
-  if (study.eligibility != Eligibility::another_law || law == nullptr) return study.configuration;
-  return fmt::format("{} ({})", study.configuration, law_text(*law));
-}
-
 /// A study's part of work_precision_data; null without a run that has both error and time.
 Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
   Json marks = Json::array(), curve = Json::array();
@@ -58,7 +52,7 @@ Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
     if (found != marked.end()) curve.push_back(found - marked.begin());
   }
   return {{"c", evaluation.place_of(study.configuration)},
-          {"label", label_of_study(study)},
+          {"label", label_of(study)},
           {"marks", std::move(marks)},
           {"curve", std::move(curve)}};
 }

@@ -10,6 +10,7 @@
 #include "harness/report/evaluation/outcome.hpp"
 #include "harness/report/evaluation/work_precision.hpp"
 #include "harness/report/sections/sections.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -183,21 +184,10 @@ Sections other_law_sections(const Evaluation& evaluation) {
 Sections case_sections(const Evaluation& evaluation) {
   Section section{
       .id = "cases", .kind = SectionKind::cases, .title = "Every case", .note = std::string(kLegend)};
-  section.table.header = {"scene",
-                          "law",
-                          "method",
-                          "represents",
-                          "status",
-                          "error of x",
-                          "off the scene's motion",
-                          "error of force",
-                          "penetration",
-                          "complementarity",
-                          "restitution",
-                          "energy defect",
-                          "time",
-                          "pivots, iterations",
-                          "orbit"};
+  section.table.header = split(
+      "scene|law|method|represents|status|error of x|off the scene's motion|error of force|penetration|"
+      "complementarity|restitution|energy defect|time|pivots, iterations|orbit",
+      '|');
   Rows rows(section, "all are in table.csv");
   for (const CaseResult& result : evaluation.results())
     rows.add([&] { return case_row(evaluation, result); });

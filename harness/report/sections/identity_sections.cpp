@@ -14,6 +14,7 @@
 #include "harness/report/evaluation/work_precision.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -96,13 +97,9 @@ Sections identity_sections(const Evaluation& evaluation) {
   add_equal_answers(evaluation, found);
   Section section{.id = "equal-equations", .title = "Equal equations"};
   section.text = kText;
-  section.table.header = {"method",
-                          "same equations as",
-                          "cases",
-                          "solved by one alone",
-                          "on two orbits",
-                          "median difference",
-                          "largest difference"};
+  section.table.header = split(
+      "method|same equations as|cases|solved by one alone|on two orbits|median difference|largest difference",
+      '|');
   for (const auto& [methods, pairs] : found) {
     const auto& d = pairs.differences;
     section.table.rows.push_back({methods.first, methods.second, count_cell(pairs.cases),

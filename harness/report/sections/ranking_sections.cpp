@@ -85,13 +85,6 @@ Sections per_group(const Evaluation& evaluation, const std::string& id, const st
 
 Cell share_cell(double share) { return {fmt::format("{:.0f} %", 100.0 * share), share}; }
 
-/// "22 of 22, 410 us": success first; no time where half or more fail.
-Cell reached_cell(const std::vector<double>& costs) {
-  const double middle = median(costs);
-  const std::string count = fmt::format("{} of {}", solved_count(costs), costs.size());
-  return {std::isfinite(middle) ? count + ", " + time_text(middle) : count, middle};
-}
-
 std::ptrdiff_t runs_on_another_orbit(const std::vector<const ResolutionStudy*>& studies) {
   const auto on_another = [](const ScoredRun& run) {
     return run.result->outcome.status == Status::converged && run.result->outcome.same_orbit == false;
@@ -205,8 +198,10 @@ void fill_time_to_error(const RankingGroup& group, Section& section) {
   section.table.header.insert(section.table.header.end(), {"stability", "runs on another orbit"});
   for (std::size_t c = 0; c < group.configurations.size(); ++c) {
     std::vector<Cell> row{group.configurations[c]};
-    for (const double error : kErrorLevels)
-      row.push_back(reached_cell(costs_to_error(group, time_axis(), error)[c]));
+    for (const double error : kErrorLevels) {
+      const std::vector<double> costs = costs_to_error(group, time_axis(), error)[c];
+      row.push_back(count_cell(solved_count(costs), std::ssize(costs), median(costs)));
+    }
     Reach reach;  // to the error of the first column
     for (const ResolutionStudy* study : group.studies[c]) reach.add(*study, kErrorLevels.front());
     row.emplace_back(stability_text(reach.stable, reach.unstable, reach.scenes),

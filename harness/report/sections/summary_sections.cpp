@@ -12,6 +12,7 @@
 #include "harness/report/evaluation/ranking.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
+#include "harness/text/words.hpp"
 
 namespace signorini {
 
@@ -96,12 +97,9 @@ void add_study(bool contact_free, const ResolutionStudy& study, Account& account
     account.to_error[i].add(study, kSummaryErrors[i]);
 }
 
-/// "22 of 22, 410 us": success first; no time where half or more fail, or were not timed.
 Cell reach_cell(const Reach& reach) {
-  if (reach.seconds.empty()) return {"-", kNeverReached};
-  const std::string count = fmt::format("{} of {}", reach.scenes, reach.seconds.size());
-  const double middle = reach.median_seconds();
-  return {std::isfinite(middle) ? count + ", " + time_text(middle) : count, middle};
+  return reach.seconds.empty() ? Cell("-", kNeverReached)
+                               : count_cell(reach.scenes, std::ssize(reach.seconds), reach.median_seconds());
 }
 
 Cell free_cell(const Account& account) {
@@ -242,14 +240,12 @@ Sections outcome_sections(const Evaluation& evaluation) {
 Sections speed_sections(const Evaluation& evaluation) {
   Section section{.id = "speed", .title = "Speed beside error"};
   section.text = kSpeedText;
-  section.table.header = {"method",
-                          "solved",
-                          "stability",
-                          "error of x, median",
-                          "error of impulse, median",
-                          "time, median",
-                          fmt::format("time / {}, median", kTimeBaseline),
-                          "under another law"};
+  section.table.header =
+      split(fmt::format(
+                "method|solved|stability|error of x, median|error of impulse, median|time, median|time / {}, "
+                "median|under another law",
+                kTimeBaseline),
+            '|');
   const auto ratio_text = [](double ratio) { return fmt::format("{:.2g}", ratio); };
   for (const auto& [method, account] : accounts_by_resolution(evaluation)) {
     section.table.rows.push_back(
