@@ -264,7 +264,7 @@ int tell_motion(const MotionArguments& arguments) {
   const FollowedScene followed(problem);
   const EventFlow placing = placing_flow(followed.dynamics());
   const std::vector<NamedState> starts = starts_of(arguments, placing, problem, followed);
-  const std::vector<DampedStop> damped = load_damped_stops(source);
+  const std::vector<DampedStop> damped = load_outline(source).damped_stops;
   std::vector<Outcome> outcomes;
   {
     const Waiting waiting("following " + problem.name);

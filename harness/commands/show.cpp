@@ -315,9 +315,9 @@ void show(const std::string& name, const std::string& plot) {
   try {
     const SceneSource source = find_scene(name);
     const Scene scene = read_scene(source);
-    const std::vector<DampedStop> damped = load_damped_stops(source);
-    show_scene(scene, damped, load_notices(source));
-    if (!plot.empty()) write_schematic(plot, schematic(scene.problem, load_layout(source), damped));
+    const SceneOutline outline = load_outline(source);
+    show_scene(scene, outline.damped_stops, outline.notices);
+    if (!plot.empty()) write_schematic(plot, schematic(scene.problem, outline.layout, outline.damped_stops));
   } catch (const SceneError& error) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");
     if (is_file || std::string_view(error.what()).find(".toml:") != std::string_view::npos) throw;

@@ -12,6 +12,7 @@
 #include "harness/glob.hpp"
 #include "harness/text/words.hpp"
 #include "problems/files/close_names.hpp"
+#include "problems/scene/scene_layout.hpp"
 
 namespace signorini {
 

@@ -207,18 +207,6 @@ SceneHeader load_header(const SceneSource& source) {
   return read_header(SceneField(document, name), std::move(variant));
 }
 
-SceneOutline load_outline(const SceneSource& source) {
-  const std::string name = source.file.string();
-  TomlNode tree = parse_toml(read_scene_text(source.file), name);
-  static_cast<void>(choose_variant(tree, name, source.level));
-  const SceneField document(tree, name);
-  ReadScene scene;
-  const SystemDescription system = read_system(document["system"]);
-  scene.files = system.files;
-  read_forcing(document["forcing"], system, scene);
-  return {.coordinates = system.size, .files = std::move(scene.files)};
-}
-
 SceneWithSources read_scene_document(const TomlNode& document, const std::string& name,
                                      const SceneVariant& variant, SceneChecks checks) {
   const SceneField root(document, name);

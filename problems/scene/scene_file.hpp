@@ -50,16 +50,6 @@ struct SceneHeader {
 /// \throws SceneError as load_scene does for what it reads
 SceneHeader load_header(const SceneSource& source);
 
-/// What is known of a scene without its matrices.
-struct SceneOutline {
-  int coordinates = 0;                            ///< Nd
-  std::vector<std::filesystem::path> files = {};  ///< as SceneWithSources::files
-};
-
-/// Reads no more than this: no elements are assembled. \throws SceneError as load_scene does for what it
-/// reads
-SceneOutline load_outline(const SceneSource& source);
-
 /// Whether a scene file has ranges to draw instances from. \throws SceneError
 bool offers_instances(const std::filesystem::path& path);
 

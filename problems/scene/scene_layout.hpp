@@ -1,6 +1,7 @@
 #pragma once
 // The layout of a scene and what its stops are made of, without its matrices.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,15 +11,20 @@
 
 namespace signorini {
 
-/// The stops of a scene that are springs with dampers, one per contact; none where they are not. \throws
-/// SceneError as load_scene does for what it reads
-std::vector<DampedStop> load_damped_stops(const SceneSource& source);
+/// What is known of a scene without its matrices.
+struct SceneOutline {
+  int coordinates = 0;  ///< Nd
+  SystemLayout layout = {};
+  std::vector<std::filesystem::path> files = {};  ///< as SceneWithSources::files
+  /// What the readers of the files of its matrices decided, a line each: sums of repeated entries, what a
+  /// symmetric part leaves out, supports by penalty.
+  std::vector<std::string> notices = {};
+  /// The stops that are springs with dampers, one per contact; none where they are not.
+  std::vector<DampedStop> damped_stops = {};
+};
 
-/// Reads the [system] table of a scene alone. \throws SceneError as load_scene does for what it reads
-SystemLayout load_layout(const SceneSource& source);
-
-/// What the readers of the files of its matrices decided, a line each: sums of repeated entries, what a
-/// symmetric part leaves out, supports by penalty. \throws SceneError as load_scene does for what it reads
-std::vector<std::string> load_notices(const SceneSource& source);
+/// Reads no more than this: no elements are assembled. \throws SceneError as load_scene does for what it
+/// reads
+SceneOutline load_outline(const SceneSource& source);
 
 }  // namespace signorini

@@ -131,7 +131,7 @@ TEST(Catalogue, TagsSayWhatTheSceneIs) {
     if (has_tag(scene, "sticking")) {
       EXPECT_LT(std::get<Restitution>(scene.law()).e, 1.0) << "an elastic stop lets go";
     }
-    EXPECT_EQ(has_tag(scene, "damped-stop"), !load_damped_stops(find_scene(scene.name)).empty());
+    EXPECT_EQ(has_tag(scene, "damped-stop"), !load_outline(find_scene(scene.name)).damped_stops.empty());
     EXPECT_EQ(has_tag(scene, "clearance"), !is_definite(symmetric_part(scene.stiffness())));
     if (scene.kind == "sdof" && scene.size() == 1 &&
         !has_tag(scene, "clearance")) {  // without the face of a damped stop

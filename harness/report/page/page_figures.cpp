@@ -112,9 +112,10 @@ Json schematic_data(const Evaluation& evaluation, const std::string& scene) {
   try {
     const SceneSource source = find_scene(scene);
     // Before it is assembled: the record may name any scene, and say any number of coordinates.
-    if (load_outline(source).coordinates > kMostDrawn) return {};
+    const SceneOutline outline = load_outline(source);
+    if (outline.coordinates > kMostDrawn) return {};
     if (digest_of(source) != evaluation.record_of(results.front()).scene_sha256) return {};
-    return svg_of(schematic(load_scene(source), load_layout(source), load_damped_stops(source)));
+    return svg_of(schematic(load_scene(source), outline.layout, outline.damped_stops));
   } catch (const SceneError&) {
     return {};
   }

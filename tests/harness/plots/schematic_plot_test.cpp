@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 TEST(SchematicPlot, IsWrittenInTheFormatOfTheEnding) {
   const test::TemporaryFolder folder;
   const SceneSource source = find_scene("rotor-12-facets");
-  const Drawing drawing = schematic(load_scene(source), load_layout(source));
+  const Drawing drawing = schematic(load_scene(source), load_outline(source).layout);
   for (const auto& [name, magic] : {std::pair{"a.svg", "<svg"}, {"a.pdf", "%PDF"}, {"a.png", "\x89PNG"}}) {
     write_schematic(folder.path() / name, drawing);
     EXPECT_EQ(read_file(folder.path() / name).rfind(magic, 0), 0U) << name;
@@ -38,7 +38,7 @@ TEST(SchematicPlot, OfTheDocumentsAreThoseOfTheCatalogue) {
   for (const char* name : {"beam20-ten-stops", "block-nine-contacts", "chain3-massless", "rotor-12-facets"}) {
     const SceneSource source = find_scene(name);
     EXPECT_EQ(read_file(fs::path(SIGNORINI_SOURCE_TREE) / "docs/pictures" / (std::string(name) + ".svg")),
-              svg_of(schematic(load_scene(source), load_layout(source))))
+              svg_of(schematic(load_scene(source), load_outline(source).layout)))
         << "signorini show " << name << " --plot docs/pictures/" << name << ".svg";
   }
 }

@@ -15,7 +15,7 @@ namespace signorini::schematic_test {
 namespace {
 
 Drawing drawn(const SceneSource& source) {
-  return schematic(load_scene(source), load_layout(source), load_damped_stops(source));
+  return schematic(load_scene(source), load_outline(source).layout, load_outline(source).damped_stops);
 }
 Drawing drawn(const std::string& name) { return drawn(find_scene(name)); }
 

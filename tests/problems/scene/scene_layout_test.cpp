@@ -5,21 +5,21 @@
 namespace signorini::scene_layout_test {
 namespace {
 
-TEST(LoadLayout, IsTheModelOfTheScene) {
-  EXPECT_EQ(std::get<Chain>(load_layout(find_scene("sdof-stop"))).masses, std::vector<double>{1.0});
-  EXPECT_EQ(std::get<Chain>(load_layout(find_scene("chain3-massless"))).springs,
+TEST(LoadOutline, HasTheModelOfTheScene) {
+  EXPECT_EQ(std::get<Chain>(load_outline(find_scene("sdof-stop")).layout).masses, std::vector<double>{1.0});
+  EXPECT_EQ(std::get<Chain>(load_outline(find_scene("chain3-massless")).layout).springs,
             (std::vector{1.0, 1.0, 50.0}));
-  EXPECT_EQ(std::get<Bar>(load_layout(find_scene("bar10-massless"))).elements, 10);
-  EXPECT_EQ(std::get<Beam>(load_layout(find_scene("beam-pair"))).count, 2);
-  EXPECT_EQ(std::get<BlockMesh>(load_layout(find_scene("block-nine-contacts"))).elements,
+  EXPECT_EQ(std::get<Bar>(load_outline(find_scene("bar10-massless")).layout).elements, 10);
+  EXPECT_EQ(std::get<Beam>(load_outline(find_scene("beam-pair")).layout).count, 2);
+  EXPECT_EQ(std::get<BlockMesh>(load_outline(find_scene("block-nine-contacts")).layout).elements,
             (std::array{20, 5, 5}));
-  EXPECT_EQ(std::get<Rotor>(load_layout(find_scene("rotor-12-facets"))).damping, 0.2);
-  EXPECT_EQ(std::get<Shaft>(load_layout(find_scene("shaft-12-facets"))).disc_node, 2);
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(load_layout(find_scene("matrices-cantilever"))));
+  EXPECT_EQ(std::get<Rotor>(load_outline(find_scene("rotor-12-facets")).layout).damping, 0.2);
+  EXPECT_EQ(std::get<Shaft>(load_outline(find_scene("shaft-12-facets")).layout).disc_node, 2);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(load_outline(find_scene("matrices-cantilever")).layout));
 }
 
-TEST(LoadLayout, OfAFamilyIsThatOfTheLevel) {
-  EXPECT_EQ(std::get<Chain>(load_layout(find_scene("mass-ratio@1e-12"))).masses.back(), 1e-12);
+TEST(LoadOutline, OfAFamilyIsThatOfTheLevel) {
+  EXPECT_EQ(std::get<Chain>(load_outline(find_scene("mass-ratio@1e-12")).layout).masses.back(), 1e-12);
 }
 
 }  // namespace

@@ -157,8 +157,8 @@ TEST_F(MeshScene, LiesInTheFolderOfTheSceneAndIsAmongItsFiles) {
   EXPECT_EQ(load_outline(path).files, expected);
   EXPECT_EQ(load_outline(path).coordinates, held().size());
   EXPECT_EQ(parse_scene_with_sources(kScene, path.string()).files, expected);
-  EXPECT_EQ(load_layout(path).index(), SystemLayout(std::make_shared<const SolidMesh>()).index());
-  const auto mesh = std::get<std::shared_ptr<const SolidMesh>>(load_layout(path));
+  EXPECT_EQ(load_outline(path).layout.index(), SystemLayout(std::make_shared<const SolidMesh>()).index());
+  const auto mesh = std::get<std::shared_ptr<const SolidMesh>>(load_outline(path).layout);
   EXPECT_EQ(mesh->nodes, held().nodes);
   EXPECT_EQ(mesh->held, 9);
 }
@@ -183,11 +183,11 @@ TEST_F(MeshScene, MovesWithABaseAlongAnAxis) {
 }
 
 TEST_F(MeshScene, IsFreeWithoutFixedGroups) {
-  const auto mesh = std::get<std::shared_ptr<const SolidMesh>>(load_layout(scene(6, "")));
+  const auto mesh = std::get<std::shared_ptr<const SolidMesh>>(load_outline(scene(6, "")).layout);
   EXPECT_EQ(mesh->held, 0);
   EXPECT_EQ(mesh->nodes, box_.nodes);
   const auto both =
-      std::get<std::shared_ptr<const SolidMesh>>(load_layout(scene(6, "fixed = [\"x-\", \"y+\"]")));
+      std::get<std::shared_ptr<const SolidMesh>>(load_outline(scene(6, "fixed = [\"x-\", \"y+\"]")).layout);
   EXPECT_EQ(both->held, 9 + 12);
 }
 

@@ -356,7 +356,7 @@ TEST_F(MatrixScene, TakesTheSymmetricPartOnRequestAndSaysWhatIsDropped) {
   Eigen::Matrix2d K;
   K << 2, -1, -1, 2;
   EXPECT_EQ(Eigen::Matrix2d(problem.stiffness()), K);
-  EXPECT_EQ(load_notices(file),
+  EXPECT_EQ(load_outline(file).notices,
             std::vector<std::string>{"stiffness: its symmetric part; dropped are skew entries "
                                      "up to 0.5, 0.25 of the largest entry"});
   EXPECT_DOUBLE_EQ(problem.frequency, std::numbers::pi);
@@ -375,15 +375,15 @@ TEST_F(MatrixScene, HoldsSupportsByPenaltyAndDropsRounding) {
   EXPECT_EQ(Eigen::Matrix3d(held.stiffness()), K);
   EXPECT_EQ(Eigen::Matrix3d(held.mass()), M);
   EXPECT_EQ(Eigen::Matrix3d(held.damping()).row(0).norm(), 0.0);
-  ASSERT_EQ(load_notices(file).size(), 1U);
-  EXPECT_TRUE(load_notices(file)[0].starts_with("stiffness: 1e+20 N/m at coordinate 0, "))
-      << load_notices(file)[0];
+  ASSERT_EQ(load_outline(file).notices.size(), 1U);
+  EXPECT_TRUE(load_outline(file).notices[0].starts_with("stiffness: 1e+20 N/m at coordinate 0, "))
+      << load_outline(file).notices[0];
 
   write("M.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 3\n1 1 -1e-17\n2 2 1\n3 3 1\n");
   write("K.mtx",
         "%%MatrixMarket matrix coordinate real symmetric\n3 3 5\n1 1 2\n2 1 -1\n2 2 3\n3 2 -1\n3 3 2\n");
   EXPECT_EQ(Eigen::Matrix3d(load_scene(file).mass()), M);
-  EXPECT_EQ(load_notices(file),
+  EXPECT_EQ(load_outline(file).notices,
             std::vector<std::string>{"mass: -1e-17 at coordinate 0 is rounding and taken as 0"});
 }
 
