@@ -57,7 +57,9 @@ class PointsOfStep {
 };
 
 // The matrix [R_x; row; C] of bordered_jacobian.
-Eigen::MatrixXd bordered(AnyEquations& equations, const Eigen::VectorXd& row) {
+}  // namespace
+
+Eigen::MatrixXd bordered_jacobian(const AnyEquations& equations, const Eigen::VectorXd& row) {
   const Eigen::Index n = equations.size();
   const Eigen::MatrixXd C = equations.conditions();
   Eigen::MatrixXd B(n + 1 + C.rows(), n + 1);
@@ -67,12 +69,6 @@ Eigen::MatrixXd bordered(AnyEquations& equations, const Eigen::VectorXd& row) {
   return B;
 }
 
-}  // namespace
-
-Eigen::MatrixXd bordered_jacobian(AnyEquations&& equations, const Eigen::VectorXd& row) {
-  return bordered(equations, row);
-}
-
 Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& right, double last) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(B.rows());
   all.head(right.size()) = right;
@@ -80,7 +76,7 @@ Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& 
   return B.rows() == B.cols() ? lu_solve(B, all) : full_rank_least_squares(B, all);
 }
 
-std::optional<CorrectedPoint> corrected(AnyEquations&& equations, const Eigen::VectorXd& predicted,
+std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
                                         const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
   constexpr double kLost = 1e3, kNoise = 100.0;  // of R; of the noise
   constexpr double kSettled = 1e-10;  // of x: a step from one rounding of stiff modes' forces to the next
@@ -97,32 +93,33 @@ std::optional<CorrectedPoint> corrected(AnyEquations&& equations, const Eigen::V
         residual < kNoise * equations.noise() || step.lpNorm<Eigen::Infinity>() < kSettled * size;
     if (k >= 2 && rounding && residual > 0.5 * before) return CorrectedPoint{std::move(x), k};
     before = residual;
-    step = solve_bordered(bordered(equations, tangent), -equations.residual(), -tangent.dot(x - predicted));
+    step = solve_bordered(bordered_jacobian(equations, tangent), -equations.residual(),
+                          -tangent.dot(x - predicted));
     if (!step.allFinite()) return std::nullopt;
     x += step;
   }
   return std::nullopt;
 }
 
-std::optional<int> correct(AnyEquations&& equations, const Eigen::VectorXd& predicted,
+std::optional<int> correct(const AnyEquations& equations, const Eigen::VectorXd& predicted,
                            const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
-  const auto point = corrected(std::move(equations), predicted, tangent, limits);
+  const auto point = corrected(equations, predicted, tangent, limits);
   return point ? std::optional(point->iterations) : std::nullopt;
 }
 
-std::optional<int> correct_at_parameter(AnyEquations&& equations, const Eigen::VectorXd& predicted) {
-  return correct(std::move(equations), predicted,
-                 Eigen::VectorXd::Unit(predicted.size(), predicted.size() - 1), {.iterations = 15});
+std::optional<int> correct_at_parameter(const AnyEquations& equations, const Eigen::VectorXd& predicted) {
+  return correct(equations, predicted, Eigen::VectorXd::Unit(predicted.size(), predicted.size() - 1),
+                 {.iterations = 15});
 }
 
-std::optional<Eigen::VectorXd> tangent_of(AnyEquations&& equations, const Eigen::VectorXd& previous) {
+std::optional<Eigen::VectorXd> tangent_of(const AnyEquations& equations, const Eigen::VectorXd& previous) {
   const Eigen::VectorXd t =
-      solve_bordered(bordered(equations, previous), Eigen::VectorXd::Zero(equations.size()), 1.0);
+      solve_bordered(bordered_jacobian(equations, previous), Eigen::VectorXd::Zero(equations.size()), 1.0);
   if (!t.allFinite() || t.isZero(0.0)) return std::nullopt;
   return t.normalized();
 }
 
-Eigen::VectorXd first_tangent(AnyEquations&& equations) {
+Eigen::VectorXd first_tangent(const AnyEquations& equations) {
   if (equations.size() == 0) return Eigen::VectorXd::Ones(1);  // the parameter alone
   Eigen::MatrixXd jacobian = equations.jacobian();
   const Eigen::MatrixXd C = equations.conditions();
@@ -131,9 +128,9 @@ Eigen::VectorXd first_tangent(AnyEquations&& equations) {
   return right_singular_vectors(jacobian).col(equations.size());
 }
 
-Eigen::VectorXd first_tangent(AnyEquations&& equations, bool larger) {
+Eigen::VectorXd first_tangent(const AnyEquations& equations, bool larger) {
   const Eigen::Index parameter = equations.size();
-  const Eigen::VectorXd tangent = first_tangent(std::move(equations));
+  const Eigen::VectorXd tangent = first_tangent(equations);
   return tangent[parameter] * (larger ? 1.0 : -1.0) >= 0.0 ? tangent : -tangent;
 }
 
@@ -189,7 +186,7 @@ bool turns_past(const std::vector<double>& values, double low, double high, cons
 namespace {
 
 // The same of a function that takes the point too.
-std::optional<double> located(AnyEquations& equations, const CurveStep& step,
+std::optional<double> located(const AnyEquations& equations, const CurveStep& step,
                               const std::function<std::optional<double>(const Eigen::VectorXd& x)>& f,
                               std::optional<double> first, double last) {
   constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
@@ -198,7 +195,7 @@ std::optional<double> located(AnyEquations& equations, const CurveStep& step,
   constexpr double kNarrow = 4.0 * std::numeric_limits<double>::epsilon();  // of the step
   PointsOfStep points(step);
   const auto value = [&](double length) -> std::optional<double> {
-    const auto point = corrected(std::move(equations), points.at(length), step.tangent, kTight);
+    const auto point = corrected(equations, points.at(length), step.tangent, kTight);
     if (!point) return std::nullopt;
     if (first) points.add(length, point->x);  // none while it is not known whether f exists
     return f(point->x);
@@ -242,14 +239,14 @@ std::optional<double> located(AnyEquations& equations, const CurveStep& step,
 
 }  // namespace
 
-std::optional<double> locate(AnyEquations&& equations, const CurveStep& step,
+std::optional<double> locate(const AnyEquations& equations, const CurveStep& step,
                              const std::function<std::optional<double>()>& f, std::optional<double> first,
                              double last) {
   return located(
       equations, step, [&](const Eigen::VectorXd&) { return f(); }, first, last);
 }
 
-std::optional<double> length_to_parameter(AnyEquations&& equations, const CurveStep& step,
+std::optional<double> length_to_parameter(const AnyEquations& equations, const CurveStep& step,
                                           const Eigen::VectorXd& end, double value) {
   const Eigen::Index last = step.x.size() - 1;
   return located(

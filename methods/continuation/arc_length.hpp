@@ -52,49 +52,35 @@ struct CorrectedPoint {
   int iterations = 0;
 };
 
-/// Equations of any kind, so that what follows is compiled once.
-class AnyEquations {
- public:
-  virtual ~AnyEquations() = default;
-  [[nodiscard]] virtual Eigen::Index size() const = 0;           ///< n
-  virtual void settle(Eigen::VectorXd& x) = 0;                   ///< nothing where they do not (Settles)
-  virtual bool evaluate(const Eigen::VectorXd& x) = 0;           ///< as the concept has it, like those below
-  [[nodiscard]] virtual Eigen::VectorXd residual() const = 0;    ///< R
-  [[nodiscard]] virtual Eigen::MatrixXd jacobian() = 0;          ///< [R_x]
-  [[nodiscard]] virtual Eigen::MatrixXd conditions() const = 0;  ///< C, of no rows where they hold none
-  [[nodiscard]] virtual double noise() const = 0;                ///< of R
-};
-
-/// Those of one kind, which are kept by the caller.
-template <CurveEquations Equations>
-class EquationsOf final : public AnyEquations {
- public:
-  explicit EquationsOf(Equations& equations) : equations_(equations) {}
-  [[nodiscard]] Eigen::Index size() const override { return equations_.size(); }
-  void settle([[maybe_unused]] Eigen::VectorXd& x) override {
-    if constexpr (Settles<Equations>) equations_.settle(x);
+/// Equations of any kind as functions, which are compiled once: those of an object that the caller keeps.
+struct AnyEquations {
+  template <CurveEquations Equations>
+  requires(!std::same_as<const Equations, const AnyEquations>) AnyEquations(Equations& equations)
+      : size([&] { return static_cast<Eigen::Index>(equations.size()); }),
+        evaluate([&](const Eigen::VectorXd& x) { return equations.evaluate(x); }),
+        residual([&]() -> Eigen::VectorXd { return equations.residual(); }),
+        jacobian([&]() -> Eigen::MatrixXd { return equations.jacobian(); }),
+        noise([&] { return equations.noise(); }) {
+    if constexpr (Settles<Equations>) settle = [&](Eigen::VectorXd& x) { equations.settle(x); };
+    conditions = [&]() -> Eigen::MatrixXd {
+      if constexpr (HoldsConditions<Equations>)
+        return equations.conditions();
+      else
+        return Eigen::MatrixXd(0, equations.size() + 1);
+    };
   }
-  bool evaluate(const Eigen::VectorXd& x) override { return equations_.evaluate(x); }
-  [[nodiscard]] Eigen::VectorXd residual() const override { return equations_.residual(); }
-  [[nodiscard]] Eigen::MatrixXd jacobian() override { return equations_.jacobian(); }
-  [[nodiscard]] Eigen::MatrixXd conditions() const override {
-    if constexpr (HoldsConditions<Equations>)
-      return equations_.conditions();
-    else
-      return Eigen::MatrixXd(0, equations_.size() + 1);
-  }
-  [[nodiscard]] double noise() const override { return equations_.noise(); }
 
- private:
-  Equations& equations_;
+  std::function<Eigen::Index()> size;
+  std::function<void(Eigen::VectorXd& x)> settle = [](Eigen::VectorXd&) {};  ///< nothing unless they Settle
+  std::function<bool(const Eigen::VectorXd& x)> evaluate;  ///< as the concept has it, like those below
+  std::function<Eigen::VectorXd()> residual;               ///< R
+  std::function<Eigen::MatrixXd()> jacobian;               ///< [R_x]
+  std::function<Eigen::MatrixXd()> conditions;             ///< C, of no rows where they hold none
+  std::function<double()> noise;                           ///< of R
 };
 
 /// The matrix [R_x; row; C] of a step: n + 1 square, or higher where conditions are held.
-Eigen::MatrixXd bordered_jacobian(AnyEquations&& equations, const Eigen::VectorXd& row);
-template <CurveEquations Equations>
-Eigen::MatrixXd bordered_jacobian(Equations& equations, const Eigen::VectorXd& row) {
-  return bordered_jacobian(EquationsOf(equations), row);
-}
+Eigen::MatrixXd bordered_jacobian(const AnyEquations& equations, const Eigen::VectorXd& row);
 
 /// The x of B x = (right; last; 0) for a matrix of bordered_jacobian: LU with pivoting, or least squares
 /// where conditions are held, which solve all rows as these are consistent.
@@ -108,46 +94,25 @@ Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& 
 /// or after a step of less than 1e-10 max(1, |x|).
 ///
 /// \return the point, where `equations` are left evaluated. Empty where it fails.
-std::optional<CorrectedPoint> corrected(AnyEquations&& equations, const Eigen::VectorXd& predicted,
+std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
                                         const Eigen::VectorXd& tangent, const CorrectorLimits& limits);
 
 /// The Newton steps of `corrected`.
-std::optional<int> correct(AnyEquations&& equations, const Eigen::VectorXd& predicted,
-                           const Eigen::VectorXd& tangent, const CorrectorLimits& limits);
-template <CurveEquations Equations>
-std::optional<int> correct(Equations& equations, const Eigen::VectorXd& predicted,
-                           const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {}) {
-  return correct(EquationsOf(equations), predicted, tangent, limits);
-}
+std::optional<int> correct(const AnyEquations& equations, const Eigen::VectorXd& predicted,
+                           const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {});
 
 /// The point of the curve nearby where the parameter is what it is in `predicted`.
-std::optional<int> correct_at_parameter(AnyEquations&& equations, const Eigen::VectorXd& predicted);
-template <CurveEquations Equations>
-std::optional<int> correct_at_parameter(Equations& equations, const Eigen::VectorXd& predicted) {
-  return correct_at_parameter(EquationsOf(equations), predicted);
-}
+std::optional<int> correct_at_parameter(const AnyEquations& equations, const Eigen::VectorXd& predicted);
 
 /// The unit null vector of [R_x] where the equations are evaluated, on the side of `previous`; empty where
 /// the bordered matrix is singular.
-std::optional<Eigen::VectorXd> tangent_of(AnyEquations&& equations, const Eigen::VectorXd& previous);
-template <CurveEquations Equations>
-std::optional<Eigen::VectorXd> tangent_of(Equations& equations, const Eigen::VectorXd& previous) {
-  return tangent_of(EquationsOf(equations), previous);
-}
+std::optional<Eigen::VectorXd> tangent_of(const AnyEquations& equations, const Eigen::VectorXd& previous);
 
 /// The same without a predecessor: the right singular vector of the smallest singular value, of either sign.
-Eigen::VectorXd first_tangent(AnyEquations&& equations);
-template <CurveEquations Equations>
-Eigen::VectorXd first_tangent(Equations& equations) {
-  return first_tangent(EquationsOf(equations));
-}
+Eigen::VectorXd first_tangent(const AnyEquations& equations);
 
 /// The same of the sign that leads to larger parameters, or to smaller ones.
-Eigen::VectorXd first_tangent(AnyEquations&& equations, bool larger);
-template <CurveEquations Equations>
-Eigen::VectorXd first_tangent(Equations& equations, bool larger) {
-  return first_tangent(EquationsOf(equations), larger);
-}
+Eigen::VectorXd first_tangent(const AnyEquations& equations, bool larger);
 
 /// The length of the next step after one that took so many Newton steps and turned by so much.
 /// \param turn  angle between the tangents at both ends [rad]
@@ -198,25 +163,20 @@ struct CurveStep {
 ///
 /// \param f  where the equations are evaluated; a template's takes them, std::optional<double>(Equations&)
 /// \return the length; `equations` are left evaluated there. Empty where it cannot be found.
-std::optional<double> locate(AnyEquations&& equations, const CurveStep& step,
+std::optional<double> locate(const AnyEquations& equations, const CurveStep& step,
                              const std::function<std::optional<double>()>& f, std::optional<double> first,
                              double last);
 template <CurveEquations Equations, class Function>
 std::optional<double> locate(Equations& equations, const CurveStep& step, const Function& f,
                              std::optional<double> first, double last) {
   return locate(
-      EquationsOf(equations), step, [&] { return f(equations); }, first, last);
+      AnyEquations(equations), step, [&] { return f(equations); }, first, last);
 }
 
 /// The length of a step up to where the parameter, the last of the unknowns, takes a value.
 /// \param end  of the step, on the other side of the value
 /// \return the length; `equations` are left evaluated there. Empty where it cannot be found.
-std::optional<double> length_to_parameter(AnyEquations&& equations, const CurveStep& step,
+std::optional<double> length_to_parameter(const AnyEquations& equations, const CurveStep& step,
                                           const Eigen::VectorXd& end, double value);
-template <CurveEquations Equations>
-std::optional<double> length_to_parameter(Equations& equations, const CurveStep& step,
-                                          const Eigen::VectorXd& end, double value) {
-  return length_to_parameter(EquationsOf(equations), step, end, value);
-}
 
 }  // namespace signorini
