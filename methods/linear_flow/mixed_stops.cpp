@@ -46,15 +46,6 @@ class MixedStops final : public Stops {
       motion.lambda(held.active[i], k) = lambda[static_cast<Eigen::Index>(i)];
   }
 
-  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
-              Eigen::VectorXd& rate, Eigen::VectorXd& lambda, Eigen::VectorXd& lambda_rate) const override {
-    const MotionDerivatives motion = derivatives(mode, time, state, 3);
-    x = motion.x.col(0);
-    rate = motion.x.col(1);
-    lambda = motion.lambda.col(0);
-    lambda_rate = motion.lambda.col(1);
-  }
-
   [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {
     return soft_->stiffness(part(mode, false));
   }

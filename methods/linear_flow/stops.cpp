@@ -42,6 +42,15 @@ MotionDerivatives Stops::derivatives(const ContactMode& mode, double time, const
   return motion;
 }
 
+void Stops::forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
+                   Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const {
+  const MotionDerivatives motion = derivatives(mode, time, state, 3);
+  x = motion.x.col(0);
+  rate = motion.x.col(1);
+  force = motion.lambda.col(0);
+  force_rate = motion.lambda.col(1);
+}
+
 FreeForm Stops::open_form() const {
   const int n = structure_.size();
   return {.basis = Eigen::MatrixXd::Identity(n, n),
@@ -90,13 +99,10 @@ class RigidStops final : public Stops {
   // The rate of lambda follows from u''', which takes the acceleration with the stops' own forces.
   void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
               Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const override {
+    if (!mode.active.empty()) return Stops::forces(mode, time, state, x, rate, force, force_rate);
     x = structure_.unloaded(time, state.u, 0);
     rate = structure_.unloaded(time, state.v, 1);
     force = force_rate = Eigen::VectorXd::Zero(structure_.contact_count());
-    if (mode.active.empty()) return;
-    const MotionDerivatives motion = derivatives(mode, time, state, 3);
-    force = motion.lambda.col(0);
-    force_rate = motion.lambda.col(1);
   }
 
   // dv/dt -> (I - M^-1 W_A G_AA^-1 W_A^T) dv/dt: what accelerates a held contact is taken away.
@@ -237,15 +243,6 @@ class RelaxingStops final : public Stops {
     motion.u.col(k + 1).tail(r) = relaxed(time, motion.u.col(k).tail(r), motion.lambda.col(k), k);
     load += image(structure_.directions, motion.lambda.col(k));
     motion.u.col(k + 2).head(n) = structure_.factors->solve(load);
-  }
-
-  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
-              Eigen::VectorXd& rate, Eigen::VectorXd& lambda, Eigen::VectorXd& lambda_rate) const override {
-    const MotionDerivatives motion = derivatives(mode, time, state, 3);
-    x = motion.x.col(0);
-    rate = motion.x.col(1);
-    lambda = motion.lambda.col(0);
-    lambda_rate = motion.lambda.col(1);
   }
 
   [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {

@@ -118,7 +118,7 @@ class Stops {
                                               int order) const;
   /// x, x', lambda and lambda' at a state, Nc each, the forces zero at open contacts.
   virtual void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
-                      Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const = 0;
+                      Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const;
   /// K and the springs of closed stops, Nd x Nd [N/m].
   [[nodiscard]] virtual Eigen::MatrixXd stiffness(const ContactMode&) const { return structure_.stiffness; }
   /// D and their dashpots, Nd x Nd [N s/m].
