@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "harness/arguments/command_guide.hpp"
 #include "problems/files/close_names.hpp"
 #include "problems/files/toml_tree.hpp"
 

@@ -1,5 +1,3 @@
-#include "harness/arguments/command_description.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/arguments/command_guide.hpp"
+#include "harness/arguments/argument_parser.hpp"
 #include "harness/build_info.hpp"
 #include "harness/text/words.hpp"
 

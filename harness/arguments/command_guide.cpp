@@ -1,5 +1,3 @@
-#include "harness/arguments/command_guide.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "harness/arguments/argument_parser.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/text/words.hpp"
 

@@ -14,14 +14,12 @@
 #include <utility>
 
 #include "harness/arguments/argument_parser.hpp"
-#include "harness/arguments/command_description.hpp"
-#include "harness/arguments/command_guide.hpp"
 #include "harness/build_info.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "harness/isolation/one_thread.hpp"
 #include "harness/plots/plot_file.hpp"
-#include "harness/terminal/refusal_hint.hpp"
+#include "harness/terminal/terminal.hpp"
 #include "methods/options.hpp"
 #include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_file.hpp"

@@ -1,8 +1,7 @@
-#include "harness/terminal/refusal_hint.hpp"
-
 #include <string_view>
 #include <vector>
 
+#include "harness/terminal/terminal.hpp"
 #include "problems/files/close_names.hpp"
 
 namespace signorini {

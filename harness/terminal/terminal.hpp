@@ -16,4 +16,8 @@ bool takes_colour(int descriptor);
 /// the shorter of its paths, from here and from the root.
 std::string typed_program();
 
+/// A refusal of the forms `key = value (...; known: A, B)` and `key = value (... one of A, B)`, with those of
+/// the list that the key, or the value, may have meant; any other text as it is.
+std::string with_hint(const std::string& refusal);
+
 }  // namespace signorini

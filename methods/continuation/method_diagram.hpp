@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,9 +11,31 @@
 
 #include "methods/continuation/curve_queue.hpp"
 #include "methods/continuation/curve_tracer.hpp"
-#include "methods/continuation/end_answers.hpp"
 
 namespace signorini {
+
+/// An answer of a method at one end of an interval of frequencies.
+struct EndAnswer {
+  Problem problem;                                ///< the scene there
+  std::shared_ptr<const Trajectory> motion = {};  ///< that solves it
+};
+
+/// Those from cold starts, at scene.from and scene.to. Where there is none `notes` says why.
+/// \throws std::runtime_error if the structure cannot be factorised
+inline std::vector<EndAnswer> end_answers(const ParametrisedScene& scene, const Method& method,
+                                          const CurveLimits& limits, std::vector<std::string>& notes) {
+  std::vector<EndAnswer> answers;
+  for (const double end : {scene.from, scene.to}) {
+    Problem problem = scene.at(end);
+    Solution solution = method.prepare(problem)->solve({.guess = {}, .deadline = limits.deadline});
+    if (solution.verdict == Verdict::converged && solution.trajectory)
+      answers.push_back({std::move(problem), std::move(solution.trajectory)});
+    else
+      notes.push_back(
+          fmt::format("no answer of the method at {:.10g} rad/s: {}", problem.frequency, solution.message));
+  }
+  return answers;
+}
 
 /// Follows the contact-free motion where nothing touches and the method's own answer, from both ends into the
 /// interval, then what begins on these branches. What lies on a branch already followed is left out. Start:

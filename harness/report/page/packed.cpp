@@ -1,5 +1,3 @@
-#include "harness/report/page/packed.hpp"
-
 #include <fmt/format.h>
 #include <openssl/evp.h>
 #include <zlib.h>
@@ -7,6 +5,7 @@
 #include <stdexcept>
 
 #include "harness/files.hpp"
+#include "harness/report/page/page_shell.hpp"
 
 namespace signorini {
 

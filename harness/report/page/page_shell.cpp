@@ -6,7 +6,6 @@
 
 #include "harness/records/json_fields.hpp"
 #include "harness/report/page/html.hpp"
-#include "harness/report/page/packed.hpp"
 #include "harness/text/json.hpp"
 
 namespace signorini {

@@ -1,8 +1,8 @@
 #pragma once
 // All branches of a method of harmonic balance that hang together with its answers at both ends.
 
+#include "methods/complementarity/projected_law.hpp"
 #include "methods/curve.hpp"
-#include "methods/harmonic_balance/continuation/series_tracer.hpp"
 #include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/method.hpp"
 

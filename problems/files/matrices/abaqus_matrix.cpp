@@ -1,11 +1,11 @@
-#include "problems/files/matrices/abaqus_matrix.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
+
+#include "problems/files/matrices/matrix_file.hpp"
 
 namespace signorini {
 

@@ -1,5 +1,3 @@
-#include "problems/files/matrices/harwell_boeing.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "problems/files/matrices/matrix_file.hpp"
 #include "problems/files/toml_tree.hpp"
 
 namespace signorini {

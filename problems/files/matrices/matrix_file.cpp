@@ -1,8 +1,5 @@
 #include "problems/files/matrices/matrix_file.hpp"
 
-#include "problems/files/matrices/harwell_boeing.hpp"
-#include "problems/files/matrices/matrix_market.hpp"
-
 namespace signorini {
 
 namespace {

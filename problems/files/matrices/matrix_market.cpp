@@ -1,5 +1,3 @@
-#include "problems/files/matrices/matrix_market.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/files/matrices/matrix_file.hpp"
 #include "problems/files/text_lines.hpp"
 
 namespace signorini {

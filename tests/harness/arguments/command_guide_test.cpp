@@ -1,12 +1,11 @@
 // --help in groups with examples, and the examples themselves.
 
-#include "harness/arguments/command_guide.hpp"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
 
+#include "harness/arguments/argument_parser.hpp"
 #include "tests/harness/program.hpp"
 
 namespace signorini::command_guide_test {

@@ -1,6 +1,6 @@
-#include "harness/terminal/refusal_hint.hpp"
-
 #include <gtest/gtest.h>
+
+#include "harness/terminal/terminal.hpp"
 
 namespace signorini::refusal_hint_test {
 namespace {

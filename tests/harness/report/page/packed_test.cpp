@@ -1,9 +1,9 @@
-#include "harness/report/page/packed.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
+
+#include "harness/report/page/page_shell.hpp"
 
 namespace signorini::packed_test {
 namespace {

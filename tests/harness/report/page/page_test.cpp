@@ -10,7 +10,6 @@
 #include <string>
 
 #include "harness/report/formats/screen.hpp"
-#include "harness/report/page/packed.hpp"
 #include "harness/report/page/page_shell.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/sample_records.hpp"

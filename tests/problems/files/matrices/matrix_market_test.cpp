@@ -1,5 +1,3 @@
-#include "problems/files/matrices/matrix_market.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -11,6 +9,7 @@
 
 #include "problems/assembly/beam.hpp"
 #include "problems/assembly/damping.hpp"
+#include "problems/files/matrices/matrix_file.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"
 #include "tests/problems/temporary_folder.hpp"
