@@ -14,10 +14,10 @@
 #include "methods/orbit/continuation/branch_section.hpp"
 #include "methods/orbit/continuation/diagram.hpp"
 #include "methods/orbit/continuation/linear_mode_starts.hpp"
-#include "methods/orbit/continuation/one_impact_orbits.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
 #include "methods/orbit/orbit_guess.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
+#include "methods/orbit/starts/one_impact_orbits.hpp"
 
 namespace signorini {
 

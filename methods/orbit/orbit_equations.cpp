@@ -9,6 +9,7 @@
 #include "methods/flow/impact_groups.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -281,6 +282,23 @@ OrbitGuess OrbitEquations::orbit(const Eigen::VectorXd& unknowns) const {
   for (Eigen::Index i = 0; i < m_; ++i)
     result.events[static_cast<std::size_t>(i)].time = result.start.time + t_unit_ * unknowns[states_ + i];
   return result;
+}
+
+bool touches(const OrbitGuess& path) {
+  return !path.events.empty() || std::ranges::find(path.start.closed, true) != path.start.closed.end();
+}
+
+std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Index states) {
+  constexpr double kSingular = 1e-9, kAtRest = 1e-6;
+  const SingularValues found = singular_vectors(J);
+  const Eigen::Index rank = (found.values.array() > kSingular * found.values[0]).count();
+  const Eigen::MatrixXd family = found.V.rightCols(found.values.size() - rank);
+  if (rank == 0 || family.cols() == 0 || family.bottomRows(J.cols() - states / 2).norm() > kAtRest)
+    return std::nullopt;
+  return FamilyInverse{.inverse = found.V.leftCols(rank) *
+                                  found.values.head(rank).cwiseInverse().asDiagonal() *
+                                  found.U.leftCols(rank).transpose(),
+                       .condition = found.values[0] / found.values[rank - 1]};
 }
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -174,5 +175,25 @@ struct OrbitNewtonResult {
 /// unsolved
 OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations,
                         const std::function<bool()>& expired = {});
+
+/// Whether a contact presses or is struck. Motions that touch nothing are families of another kind, of any
+/// mean within the clearances, and asked for apart (polish_free_member).
+bool touches(const OrbitGuess& path);
+
+/// A Jacobian of OrbitEquations where orbits are not isolated.
+struct FamilyInverse {
+  Eigen::MatrixXd inverse;  ///< J^+, the steps that leave the place in the family alone
+  double condition = 1.0;   ///< of J without the family [-]
+};
+
+/// Condition of a Jacobian, reciprocal, from which on it is asked for a family: beyond it a step is rounding
+/// [-].
+inline constexpr double kFamilyCondition = 1e-12;
+
+/// The pseudo-inverse of a Jacobian J that is singular for nothing but displacements at rest: no velocity and
+/// no instant of an event changes along them, as where a gear pair turns as one, or nothing touches.
+/// Equations of an orbit stay solvable there. Nothing for any other J: to 1e-9 of its largest singular value,
+/// 1e-6 of a direction's length. \param states  Ns, of which the first half at least are displacements
+std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Index states);
 
 }  // namespace signorini

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "methods/orbit/family_inverse.hpp"
 #include "methods/orbit/orbit_equations.hpp"
 #include "methods/solvers/damped_newton.hpp"
 #include "problems/linear_algebra/lu.hpp"

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "methods/orbit/exact_orbit.hpp"
-#include "methods/orbit/family_inverse.hpp"
 #include "methods/orbit/modal_green_function.hpp"
+#include "methods/orbit/orbit_equations.hpp"
 #include "methods/solvers/condition_estimate.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"

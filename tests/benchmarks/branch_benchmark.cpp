@@ -16,8 +16,8 @@
 #include "harness/sweep/branch_response.hpp"
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/curve.hpp"
-#include "methods/orbit/continuation/one_impact_orbits.hpp"
 #include "methods/orbit/family/extended_equations.hpp"
+#include "methods/orbit/starts/one_impact_orbits.hpp"
 #include "problems/assembly/chain.hpp"
 
 namespace signorini {

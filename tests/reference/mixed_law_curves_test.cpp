@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "methods/orbit/continuation/contact_changes.hpp"
-#include "methods/orbit/continuation/one_impact_orbits.hpp"
+#include "methods/orbit/starts/one_impact_orbits.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/continuation/diagrams.hpp"

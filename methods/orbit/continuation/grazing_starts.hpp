@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "methods/orbit/continuation/grazing_families.hpp"
 #include "methods/orbit/continuation/switching.hpp"
+#include "methods/orbit/starts/grazing_families.hpp"
 
 namespace signorini {
 

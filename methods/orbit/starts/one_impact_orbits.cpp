@@ -1,4 +1,4 @@
-#include "methods/orbit/continuation/one_impact_orbits.hpp"
+#include "methods/orbit/starts/one_impact_orbits.hpp"
 
 #include <Eigen/Core>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "methods/orbit/continuation/grazing_families.hpp"
+#include "methods/orbit/starts/grazing_families.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Orbits of one impact against their closed form, and the branches that only they lead to.
 
-#include "methods/orbit/continuation/one_impact_orbits.hpp"
+#include "methods/orbit/starts/one_impact_orbits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The patterns that begin at a grazing against the fixed-point index of the return map, and against closed
 // forms.
 
-#include "methods/orbit/continuation/grazing_families.hpp"
+#include "methods/orbit/starts/grazing_families.hpp"
 
 #include <gtest/gtest.h>
 
