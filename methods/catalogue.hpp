@@ -55,62 +55,27 @@ concept RegistrableMethod = std::derived_from<M, Method> && requires(typename M:
   M(options);
 };
 
-/// The order that a method class claims by a member `kOrder`, if it has one.
-template <class M>
-constexpr std::optional<double> claimed_order() {
-  if constexpr (requires { M::kOrder; }) return M::kOrder;
-  return std::nullopt;
-}
-
-/// The limits that a method class states by a member `kLimits`, if it has one.
-template <class M>
-constexpr std::string_view stated_limits() {
-  if constexpr (requires { M::kLimits; }) return M::kLimits;
-  return {};
-}
-
-/// The further starts of a method class, its member `kStarts`, if it has one.
-template <class M>
-constexpr std::string_view further_starts() {
-  if constexpr (requires { M::kStarts; }) return M::kStarts;
-  return {};
-}
-
-/// The methods that a method class names in its member `kSameEquations`, if it has one.
-template <class M>
-std::vector<SameEquations> named_equations() {
-  std::vector<SameEquations> named;
-  if constexpr (requires { M::kSameEquations; }) {
-    for (const auto& [option, value, method] : M::kSameEquations)
-      named.push_back({std::string(option), std::string(value), std::string(method)});
-  }
-  return named;
-}
-
-/// Whether a method class says so by a member `kExact`.
-template <class M>
-constexpr bool is_exact() {
-  if constexpr (requires { M::kExact; }) return M::kExact;
-  return false;
-}
-
-/// The catalogue entry of a method class: its constructor validates the options it is given.
+/// The catalogue entry of a method class: its constructor validates the options it is given. What a class
+/// need not say it says by members of its own: `kLimits`, `kStarts`, `kOrder`, `kSameEquations`, `kExact`.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
-  return {.name = std::string(M::kName),
-          .title = std::string(M::kTitle),
-          .laws = std::string(M::kLaws),
-          .ladder = std::string(M::kLadder),
-          .limits = std::string(stated_limits<M>()),
-          .starts = std::string(further_starts<M>()),
-          .order = claimed_order<M>(),
-          .same_equations = named_equations<M>(),
-          .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
-            typename M::Options options;
-            apply_settings(options, settings);
-            return std::make_unique<M>(options);
-          },
-          .exact = is_exact<M>()};
+  MethodEntry entry{.name = std::string(M::kName),
+                    .title = std::string(M::kTitle),
+                    .laws = std::string(M::kLaws),
+                    .ladder = std::string(M::kLadder),
+                    .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
+                      typename M::Options options;
+                      apply_settings(options, settings);
+                      return std::make_unique<M>(options);
+                    }};
+  if constexpr (requires { M::kLimits; }) entry.limits = M::kLimits;
+  if constexpr (requires { M::kStarts; }) entry.starts = M::kStarts;
+  if constexpr (requires { M::kOrder; }) entry.order = M::kOrder;
+  if constexpr (requires { M::kExact; }) entry.exact = M::kExact;
+  if constexpr (requires { M::kSameEquations; })
+    for (const auto& [option, value, method] : M::kSameEquations)
+      entry.same_equations.push_back({std::string(option), std::string(value), std::string(method)});
+  return entry;
 }
 
 /// All methods, in table order: those of the program, then those of plugins by name.

@@ -93,16 +93,18 @@ constexpr PluginText text_of(std::string_view text) { return {text.data(), text.
 
 template <RegistrableMethod M>
 constexpr PluginMethod method_of() {
-  return {text_of(M::kName),
-          text_of(M::kTitle),
-          text_of(M::kLaws),
-          text_of(M::kLadder),
-          claimed_order<M>().value_or(0.0),
-          [](const OptionSetting* settings, std::size_t count) -> Method* {
-            typename M::Options options;
-            apply_settings(options, std::span(settings, count));
-            return new M(options);
-          }};
+  PluginMethod method{text_of(M::kName),
+                      text_of(M::kTitle),
+                      text_of(M::kLaws),
+                      text_of(M::kLadder),
+                      0.0,
+                      [](const OptionSetting* settings, std::size_t count) -> Method* {
+                        typename M::Options options;
+                        apply_settings(options, std::span(settings, count));
+                        return new M(options);
+                      }};
+  if constexpr (requires { M::kOrder; }) method.order = M::kOrder;
+  return method;
 }
 
 }  // namespace plugin_detail
