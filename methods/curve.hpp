@@ -83,31 +83,46 @@ struct SolutionPoint {
   /// empty unless phases were asked for.
   Eigen::MatrixXd motion = {};
   int impacts = 0;  ///< in a period; of springs, massless contacts and methods their closings
-  std::optional<double> energy = {};                     ///< of a free motion, kinetic and of all springs [J]
+  std::optional<double> energy = {};  ///< of a free motion, kinetic and of all springs [J]
+  /// Of a phase resonance: of the linear mode that takes the same power at the same first harmonic [-].
+  std::optional<double> damping_ratio = {};
   OrbitStability stability = OrbitStability::undefined;  ///< as the method has it
   std::string undefined = {};                            ///< why it is, one clause, where that is known
   Eigen::VectorXcd multipliers = {};                     ///< Floquet, 2 Nd; empty where undefined or unknown
 };
 
-/// What happens where a branch turns, changes its stability or its sequence of events, or crosses another.
-enum class SpecialKind { fold, period_doubling, neimark_sacker, branch_point, grazing, contact_change };
+/// What happens where a branch turns, changes its stability or its sequence of events, or crosses another; of
+/// a response to a load of one harmonic, where that is in quadrature with the displacement (LoadPhase).
+enum class SpecialKind {
+  fold,
+  period_doubling,
+  neimark_sacker,
+  branch_point,
+  phase_resonance,
+  grazing,
+  contact_change
+};
 
 /// The names of these, in files too.
 template <>
 struct EnumNames<SpecialKind> {
   /// In order.
-  static constexpr std::array<std::string_view, 6> values{
-      "fold", "period-doubling", "neimark-sacker", "branch-point", "grazing", "contact-change"};
+  static constexpr std::array<std::string_view, 7> values{
+      "fold",    "period-doubling", "neimark-sacker", "branch-point", "phase-resonance",
+      "grazing", "contact-change"};
 };
 
-/// "fold", "period-doubling", "neimark-sacker", "branch-point", "grazing", "contact-change".
+/// "fold", "period-doubling", "neimark-sacker", "branch-point", "phase-resonance", "grazing",
+/// "contact-change".
 std::string describe(SpecialKind kind);
 
 /// Where something happens, located.
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::fold;  ///< what
   SolutionPoint point;                   ///< the motion there
-  std::string text = {};  ///< of a change of the sequence what happens, of a fold what turns; else empty
+  /// Of a change of the sequence what happens, of a fold what turns, of a phase resonance how it is damped;
+  /// else empty.
+  std::string text = {};
   std::size_t after = 0;  ///< points of the branch before it
 };
 
@@ -184,8 +199,8 @@ class CurveMethod {
   /// exception. \param scene  that `follows` accepts
   [[nodiscard]] virtual BranchDiagram follow(const ParametrisedScene& scene,
                                              const CurveLimits& limits) const = 0;
-  /// Curves of the special points of a kind, one from each at plane.from towards plane.to. Empty: it follows
-  /// none of this kind.
+  /// Curves of the special points of a kind, one from each at plane.from towards plane.to; `unfinished` says
+  /// why there is none. Empty: it follows none of this kind.
   /// \param plane  whose scenes `follows` accepts
   [[nodiscard]] virtual std::optional<BifurcationCurves> follow_bifurcations(
       [[maybe_unused]] const ScenePlane& plane, [[maybe_unused]] SpecialKind kind,

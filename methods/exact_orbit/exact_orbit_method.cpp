@@ -384,7 +384,9 @@ std::optional<BifurcationCurves> ExactOrbitMethod::follow_bifurcations(const Sce
   if (!has_curve(kind)) return std::nullopt;
   try {
     const OrbitDiagram diagram = exact_diagram(plane.at(plane.from), *this, limits);
-    return BifurcationCurves{bifurcation_curves(plane, diagram, kind, limits), diagram.unfinished};
+    BifurcationCurves found{bifurcation_curves(plane, diagram, kind, limits), diagram.unfinished};
+    if (found.curves.empty() && found.unfinished.empty()) found.unfinished = why_none(plane, kind);
+    return found;
   } catch (const std::runtime_error& error) {
     return BifurcationCurves{.unfinished = error.what()};
   }

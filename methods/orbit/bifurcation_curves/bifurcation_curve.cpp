@@ -5,13 +5,15 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "methods/orbit/bifurcation_curves/special_equations.hpp"
-#include "methods/orbit/continuation/curve.hpp"
+#include "methods/orbit/continuation/contact_changes.hpp"
+#include "methods/orbit/continuation/grazing_starts.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 
@@ -30,21 +32,98 @@ std::optional<OrbitGuard> vanishing_guard(const ExtendedEquations& equations) {
   return least;
 }
 
+// The orbits of the same order beyond a grazing: without the impact that fades, or with as many of those that
+// begin as can.
+ChangeOfSequence past_grazing(OrbitFamily& family, const TracedCurve& end) {
+  const auto grazing = grazing_orbit(family, end);
+  if (!grazing) return {.obstacle = "the grazing orbit cannot be evaluated"};
+  if (!grazing->obstacle.empty()) return {.obstacle = grazing->obstacle};
+  if (end.guard->kind != GuardKind::clearance) {
+    auto clear = start_clear(family, *grazing);
+    return {.start = clear, .obstacle = clear ? "" : "the orbit without the impact cannot be evaluated"};
+  }
+  ChangeOfSequence beyond{.obstacle = "no motion of the same period begins there"};
+  const auto starts = start_impacting(family, *grazing, grazing->base.order);
+  for (const CurveStart& start : starts.value_or(std::vector<CurveStart>())) {
+    if (start.orbit.order != grazing->base.order) continue;
+    if (!beyond.start || start.orbit.events.size() > beyond.start->orbit.events.size())
+      beyond = {.start = start};
+  }
+  return beyond;
+}
+
+// Where the motions of a curve go on at another one, at a value of the second number in its unit.
+struct Onward {
+  CurveStart start;
+  double second = 0.0;
+};
+
+// A guard that is negative there, but for the one that the curve holds at zero and its double: where an
+// impact fades a maximum of the displacement takes its place.
+std::optional<OrbitGuard> violated(SpecialEquations& special) {
+  constexpr double kDouble = -1e-8;
+  const auto& own = special.guard();
+  for (const OrbitGuard& guard : survey(special.orbits()).guards) {
+    if (guard.value >= kViolated || (own && guard.same(*own))) continue;
+    if (own && guard.kind == GuardKind::clearance && guard.value > kDouble) continue;
+    return guard;
+  }
+  return std::nullopt;
+}
+
+// Of a special point at the beginning of the second interval.
+std::optional<SequencedOrbit> orbit_of_start(OrbitPlane& plane, const SolutionPoint& at,
+                                             const OrbitGuess& known) {
+  const auto family = plane.family(plane.scene().from);
+  const double period = kTwoPi * at.order / at.frequency;
+  return with_quiet_section(*family, sequenced(*family, known, period, at.frequency, at.parameter));
+}
+
+std::optional<double> value_of(const OrbitGuard& guard, SpecialEquations& at) {
+  const auto found = guard_of(at.orbits(), guard.kind, guard.index);
+  return found ? std::optional(found->value) : std::nullopt;
+}
+
+// The orbit at which the equations are evaluated as a point of a curve.
+SolutionPoint point_of(SpecialKind kind, SpecialEquations& special) {
+  const Station station = station_at(special.orbits(), special.reference());
+  return kind == SpecialKind::phase_resonance ? resonance_point(special.orbits(), station)
+                                              : solution_point(special.orbits(), station);
+}
+
+// The motions beyond the orbit at which the equations are evaluated, where a guard vanishes.
+ChangeOfSequence past_end(const ExtendedEquations& equations, const OrbitGuard& guard) {
+  TracedCurve end;
+  end.guard = guard_of(equations, guard.kind, guard.index).value_or(guard);
+  end.last = equations.orbit();
+  return is_grazing(*end.guard, equations) ? past_grazing(equations.family(), end)
+                                           : past_change(equations.family(), end);
+}
+
 class BifurcationCurveTracer {
  public:
-  BifurcationCurveTracer(const ScenePlane& plane, const SpecialPoint& start, const OrbitGuess& orbit,
-                         const CurveLimits& limits)
+  BifurcationCurveTracer(OrbitPlane& plane, SpecialKind kind, const CurveLimits& limits)
       : plane_(plane), limits_(limits) {
-    result_.kind = start.kind;
-    begin(start, orbit);
+    result_.kind = kind;
   }
 
-  BifurcationCurve run() {
+  BifurcationCurve run(const SpecialPoint& start, const OrbitGuess& orbit) {
+    begin(start, orbit);
+    return followed();
+  }
+  BifurcationCurve run(const Onward& onward) {
+    begin(onward);
+    return followed();
+  }
+
+  // Beyond the end of what has run.
+  [[nodiscard]] const std::optional<Onward>& onward() const { return onward_; }
+
+ private:
+  BifurcationCurve followed() {
     while (!done_) advance();
     return std::move(result_);
   }
-
- private:
   void finish(std::string reason) {
     result_.ended = std::move(reason);
     done_ = true;
@@ -52,22 +131,32 @@ class BifurcationCurveTracer {
   void shorten(double factor) { step_ *= factor; }
 
   void begin(const SpecialPoint& start, const OrbitGuess& known) {
-    const SolutionPoint& at = start.point;
-    const auto family = plane_.family(plane_.scene().from);
-    const SequencedOrbit given =
-        sequenced(*family, known, kTwoPi * at.order / at.frequency, at.frequency, at.parameter);
-    const auto orbit = with_quiet_section(*family, given);
+    const auto orbit = orbit_of_start(plane_, start.point, known);
     if (!orbit) return finish("the start cannot be evaluated");
     result_.sequence = describe_sequence(*orbit);
-    result_.began = fmt::format("{} at {:.10g}", describe(start.kind), at.parameter);
-    const double q = plane_.scene().from / plane_.unit();
-    place(*orbit, q);
+    result_.began = fmt::format("{} at {:.10g}", describe(start.kind), start.point.parameter);
+    place(*orbit, plane_.scene().from / plane_.unit());
     if (done_) return;
-    const double inwards = plane_.scene().to > plane_.scene().from ? 1.0 : -1.0;
     const Eigen::VectorXd fixed = Eigen::VectorXd::Unit(special_->size() + 1, special_->size());
     if (!correct(*special_, special_->x(), fixed, kLimits)) return finish("the start cannot be corrected");
     x_ = special_->x();
-    tangent_ = first_tangent(*special_, inwards > 0.0);
+    tangent_ = first_tangent(*special_, plane_.scene().to > plane_.scene().from);
+    append();
+  }
+
+  // What begins has no length or speed yet: a first step the wrong way shows at once (`turns_back`).
+  void begin(const Onward& onward) {
+    result_.sequence = describe_sequence(onward.start.orbit);
+    result_.began = onward.start.origin;
+    step_ *= onward.start.first_step_share;
+    may_turn_ = true;
+    place(onward.start.orbit, onward.second);
+    if (done_) return;
+    tangent_ = first_tangent(*special_);
+    if (tangent_.head(special_->size()).dot(onward.start.tangent) < 0.0) tangent_ = -tangent_;
+    if (!correct(*special_, x_, tangent_, kLimits) && !special_->evaluate(x_))
+      return finish("the start cannot be evaluated");
+    x_ = special_->x();
     append();
   }
 
@@ -90,13 +179,11 @@ class BifurcationCurveTracer {
   }
 
   void append() {
-    const Station station = station_at(special_->orbits(), special_->reference());
-    result_.points.push_back(solution_point(special_->orbits(), station));
+    result_.points.push_back(point_of(result_.kind, *special_));
     result_.second.push_back(special_->second());
   }
 
   [[nodiscard]] CurveStep whole_step() const { return {.x = x_, .tangent = tangent_, .length = step_}; }
-
   void advance() {
     constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
     constexpr double kShortest = 1e-7;               // below, the curve ends
@@ -108,13 +195,14 @@ class BifurcationCurveTracer {
     if (leaves()) return;
     const auto tangent = tangent_of(*special_, tangent_);
     if (!tangent || (tangent->dot(tangent_) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
-    if (const auto guard = violated()) return end_at(*guard);
+    if (const auto guard = violated(*special_)) return turns_back() ? void() : end_at(*guard);
     const double turn = std::acos(std::min(1.0, tangent->dot(tangent_)));
     x_ = special_->x();
     tangent_ = *tangent;
     append();
     special_->take_reference();
-    step_ = next_step(step_, *iterations, turn, limits_.step_share * kLongestStep);
+    const double longest = longest_step(limits_.step_share * kLongestStep, x_.lpNorm<Eigen::Infinity>());
+    step_ = next_step(step_, *iterations, turn, longest);
     if (static_cast<int>(result_.points.size()) >= limits_.max_points)
       return finish(fmt::format("limit of {} points", limits_.max_points));
     keep_section_clear();
@@ -142,24 +230,8 @@ class BifurcationCurveTracer {
     return done_;
   }
 
-  // A guard that is negative there, but for the one that the curve holds at zero and its double: where an
-  // impact fades a maximum of the displacement takes its place.
-  [[nodiscard]] std::optional<OrbitGuard> violated() {
-    constexpr double kDouble = -1e-8;
-    const auto& own = special_->guard();
-    for (const OrbitGuard& guard : survey(special_->orbits()).guards) {
-      if (guard.value >= kViolated || (own && guard.same(*own))) continue;
-      if (own && guard.kind == GuardKind::clearance && guard.value > kDouble) continue;
-      return guard;
-    }
-    return std::nullopt;
-  }
-
   void end_at(const OrbitGuard& guard) {
-    const auto value = [&](SpecialEquations& at) -> std::optional<double> {
-      const auto found = guard_of(at.orbits(), guard.kind, guard.index);
-      return found ? std::optional(found->value) : std::nullopt;
-    };
+    const auto value = [&](SpecialEquations& at) { return value_of(guard, at); };
     const auto before = special_->evaluate(x_) ? value(*special_) : std::nullopt;
     const bool positive = before && *before > 0.0;
     if (!locate(*special_, whole_step(), value, positive ? before : std::nullopt, guard.value))
@@ -167,6 +239,20 @@ class BifurcationCurveTracer {
     append();
     const ExtendedEquations& orbits = special_->orbits();
     finish(describe(guard, orbits.orbit(), orbits.model().dynamics));
+    if (result_.kind != SpecialKind::phase_resonance) return;
+    const double second = special_->x()[special_->size()];
+    ChangeOfSequence beyond = past_end(orbits, guard);
+    if (beyond.start)
+      onward_ = Onward{.start = std::move(*beyond.start), .second = second};
+    else
+      result_.ended += ": " + beyond.obstacle;
+  }
+
+  // The first step of what begins at the end of another curve goes the wrong way: it is taken the other way.
+  bool turns_back() {
+    if (!std::exchange(may_turn_, false) || result_.points.size() > 1) return false;
+    tangent_ = -tangent_;
+    return true;
   }
 
   // As of a branch: an event that slid over the section would make the arcs run backwards.
@@ -185,14 +271,33 @@ class BifurcationCurveTracer {
 
   static constexpr CorrectorLimits kLimits{.iterations = 10, .tolerance = 1e-12};
 
-  OrbitPlane plane_;
+  OrbitPlane& plane_;
   const CurveLimits& limits_;
   double step_ = 0.01;  // the first one
-  bool done_ = false;
+  bool done_ = false, may_turn_ = false;
+  std::optional<Onward> onward_;
   std::unique_ptr<SpecialEquations> special_;
   Eigen::VectorXd x_, tangent_;
   BifurcationCurve result_;
 };
+
+// The curve through a special point, and those that go on where its sequence of events changes.
+std::vector<BifurcationCurve> trace_from(OrbitPlane& plane, const SpecialPoint& start,
+                                         const OrbitGuess& orbit, const CurveLimits& limits) {
+  BifurcationCurveTracer first(plane, start.kind, limits);
+  std::vector<BifurcationCurve> curves{first.run(start, orbit)};
+  std::optional<Onward> onward = first.onward();
+  while (onward && static_cast<int>(curves.size()) < limits.max_branches) {
+    BifurcationCurveTracer next(plane, start.kind, limits);
+    BifurcationCurve curve = next.run(*onward);
+    onward = next.onward();
+    if (curve.points.size() > 1)
+      curves.push_back(std::move(curve));
+    else
+      curves.back().ended += fmt::format(": beyond, {}", curve.ended);
+  }
+  return curves;
+}
 
 // Whether two points are one motion.
 bool one_motion(const SolutionPoint& a, const SolutionPoint& b) {
@@ -207,9 +312,13 @@ bool one_motion(const SolutionPoint& a, const SolutionPoint& b) {
 
 bool has_curve(SpecialKind kind) { return kind != SpecialKind::branch_point; }
 
-BifurcationCurve trace_bifurcation_curve(const ScenePlane& plane, const SpecialPoint& start,
-                                         const OrbitGuess& orbit, const CurveLimits& limits) {
-  return BifurcationCurveTracer(plane, start, orbit, limits).run();
+std::string why_none(const ScenePlane& plane, SpecialKind kind) {
+  std::string reason = fmt::format("no {} at {} = {:.6g}", describe(kind), plane.second, plane.from);
+  if (kind != SpecialKind::phase_resonance) return reason;
+  const ParametrisedScene scene = plane.at(plane.from);
+  const OrbitModel model(scene.at(scene.middle()));
+  const std::string obstacle = phase_obstacle(model.dynamics.structure());
+  return obstacle.empty() ? reason + " between these frequencies" : reason + ": " + obstacle;
 }
 
 std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const OrbitDiagram& diagram,
@@ -228,6 +337,7 @@ std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const 
   }
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Begin& a, const Begin& b) { return a.rank() < b.rank(); });
+  OrbitPlane orbits(plane);
   std::vector<BifurcationCurve> curves;
   std::vector<SolutionPoint> known;
   constexpr double kAtEnd = 1e-9;
@@ -237,7 +347,7 @@ std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const 
                     [&](const SolutionPoint& other) { return one_motion(point, other); }))
       continue;
     known.push_back(point);
-    curves.push_back(trace_bifurcation_curve(plane, *start.special, *start.orbit, limits));
+    std::ranges::move(trace_from(orbits, *start.special, *start.orbit, limits), std::back_inserter(curves));
     const BifurcationCurve& curve = curves.back();
     const bool returns = curve.points.size() > 1 && std::abs(curve.second.back() - plane.from) <
                                                         kAtEnd * std::abs(plane.to - plane.from);

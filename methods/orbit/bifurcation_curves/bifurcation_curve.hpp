@@ -1,5 +1,6 @@
 #pragma once
-// Folds, doublings, Neimark-Sacker points and grazings of exact orbits as curves over two parameters.
+// Folds, doublings, Neimark-Sacker points, phase resonances and grazings of exact orbits as curves over two
+// parameters.
 
 #include <string>
 #include <vector>
@@ -13,20 +14,21 @@ namespace signorini {
 /// not move along a curve but break up.
 bool has_curve(SpecialKind kind);
 
-/// The curve through a special point of a diagram at plane.from, towards plane.to, by pseudo-arclength in all
-/// unknowns of the orbit and both parameters (SpecialEquations). The unit of the second one is a third of its
-/// interval.
+/// The curves through each special point of a kind in a diagram at plane.from, towards plane.to, by
+/// pseudo-arclength in all unknowns of the orbit and both parameters (SpecialEquations); one for points of
+/// several branches that are one motion, and one for two that a curve joins. The unit of the second parameter
+/// is a third of its interval.
 ///
-/// Ends at either end of either interval, or where another guard vanishes, located, for the sequence of
-/// events changes there.
-/// \param orbit  of the special point
-BifurcationCurve trace_bifurcation_curve(const ScenePlane& plane, const SpecialPoint& start,
-                                         const OrbitGuess& orbit, const CurveLimits& limits);
-
-/// One curve for each special point of a kind in a diagram at plane.from; one for points of several branches
-/// that are one motion, and one for two that a curve joins. \throws std::invalid_argument unless
-/// has_curve(kind)
+/// A curve ends at either end of either interval, or where another guard vanishes, located, for the sequence
+/// of events changes there. A phase resonance keeps its phase through that, the motion being continuous:
+/// where the motions beyond are known (past_change, start_impacting, start_clear) another curve goes on with
+/// them, and comes next in the list; where they are not, the reason is part of the end. \throws
+/// std::invalid_argument unless has_curve(kind)
 std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const OrbitDiagram& diagram,
                                                  SpecialKind kind, const CurveLimits& limits);
+
+/// Why a diagram at plane.from has no special point of a kind to begin at, one clause. \throws
+/// std::runtime_error where there is no flow
+std::string why_none(const ScenePlane& plane, SpecialKind kind);
 
 }  // namespace signorini

@@ -23,7 +23,9 @@ std::shared_ptr<OrbitFamily> OrbitPlane::family(double second) {
   if (found != recent_.end()) {
     recent_.splice(recent_.begin(), recent_, found);
   } else {
-    recent_.emplace_front(second, std::make_shared<OrbitFamily>(plane_.at(second), units_));
+    // Of a load or a gap the modes are the same.
+    const auto& modes = recent_.front().second->modes();
+    recent_.emplace_front(second, std::make_shared<OrbitFamily>(plane_.at(second), units_, modes));
     if (recent_.size() > kKept) recent_.pop_back();
   }
   return recent_.front().second;

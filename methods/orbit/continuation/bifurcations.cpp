@@ -8,6 +8,7 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/flow/impact_groups.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
@@ -74,6 +75,77 @@ bool loses_nothing(const ExtendedEquations& equations) {
                      });
 }
 
+namespace {
+
+// The columns of the load that are not constant and not zero.
+std::vector<Eigen::Index> loaded_harmonics(const FlowStructure& structure) {
+  std::vector<Eigen::Index> loaded;
+  for (Eigen::Index h = 1; h < structure.load.cols(); ++h)
+    if (!structure.load.col(h).isZero(0.0)) loaded.push_back(h);
+  return loaded;
+}
+
+// The harmonic of rate w of the contact forces, Re lambda e^{i w t}, impulses included, Nc [N]; empty where
+// it is not known.
+Eigen::VectorXcd force_harmonic(const ExtendedEquations& equations, double w) {
+  const SequencedOrbit& orbit = equations.orbit();
+  const auto& arcs = equations.equations().arcs();
+  const double begin = equations.time_of(0.0), end = equations.time_of(orbit.end());
+  Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(2, equations.model().dynamics.contact_count());
+  double from = begin;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const bool last = i == orbit.events.size();
+    const double to = last ? end : equations.time_of(orbit.phase(static_cast<Eigen::Index>(i)));
+    if (!arcs[i]->mode().active.empty() && !arcs[i]->add_force_integrals(from, to, w, sums)) return {};
+    from = to;
+    if (last) break;
+    const std::vector<int>& pushed = orbit.events[i].pushed;
+    for (std::size_t k = 0; k < pushed.size(); ++k)
+      sums(1, pushed[k]) += equations.equations().crossings()[i].impulses[static_cast<Eigen::Index>(k)] *
+                            std::polar(1.0, -w * to);
+  }
+  return 2.0 / (end - begin) * sums.row(1).transpose();
+}
+
+// K - w^2 M + i w D.
+Eigen::MatrixXcd dynamic_stiffness(const FlowStructure& structure, double w) {
+  Eigen::MatrixXcd Z(structure.size(), structure.size());
+  Z.real() = Eigen::MatrixXd(structure.stiffness) - w * w * Eigen::MatrixXd(structure.mass);
+  Z.imag() = w * Eigen::MatrixXd(structure.damping);
+  return Z;
+}
+
+}  // namespace
+
+std::string phase_obstacle(const FlowStructure& structure) {
+  const std::size_t harmonics = loaded_harmonics(structure).size();
+  if (harmonics != 1) return harmonics == 0 ? "no load varies" : "the load has more than one harmonic";
+  for (Eigen::Index h = 1; h < structure.shift.cols(); ++h)
+    if (!structure.shift.col(h).isZero(0.0)) return "the load acts on contacts without mass";
+  return structure.damping.norm() > 0.0 ? "" : "there are no dampers to balance";
+}
+
+std::optional<LoadPhase> load_phase(const ExtendedEquations& equations) {
+  const FlowStructure& structure = equations.model().dynamics.structure();
+  if (!phase_obstacle(structure).empty()) return std::nullopt;
+  const Eigen::Index harmonic = loaded_harmonics(structure).front();
+  const double w = structure.rates[static_cast<std::size_t>(harmonic)];
+  const Eigen::VectorXcd force = force_harmonic(equations, w);
+  if (force.size() != structure.contact_count()) return std::nullopt;
+  const Eigen::VectorXcd f = structure.load.col(harmonic);
+  const Eigen::VectorXcd u =
+      lu_solve(dynamic_stiffness(structure, w), f + image_of_complex(structure.directions, force));
+  const Eigen::VectorXd cosine = u.real(), sine = u.imag();
+  const Complex work = f.dot(u);  // f^H u
+  const double kinetic =
+      2.0 * w * w * (cosine.dot(structure.mass * cosine) + sine.dot(structure.mass * sine));
+  const LoadPhase phase{
+      .in_phase = work.real() * f.norm() * equations.family().units().displacement / std::norm(work),
+      .damping_ratio = std::abs(work) / kinetic};
+  if (!std::isfinite(phase.in_phase) || !std::isfinite(phase.damping_ratio)) return std::nullopt;
+  return phase;
+}
+
 Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy) {
   constexpr Eigen::Index kSmall = 16;
   if (monodromy.rows() <= kSmall) return general_eigenvalues(monodromy);
@@ -115,6 +187,10 @@ std::optional<double> test_of(ExtendedEquations& equations, const Eigen::VectorX
   if (kind == SpecialKind::neimark_sacker && known && equations.orbit().states() > 2 &&
       !loses_nothing(equations))
     return pair_product(multipliers);
+  if (kind == SpecialKind::phase_resonance && equations.family().scene().parameter == kFrequency) {
+    const auto phase = load_phase(equations);
+    return phase ? std::optional(phase->in_phase) : std::nullopt;
+  }
   return std::nullopt;
 }
 
@@ -139,15 +215,18 @@ std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen
 }
 
 BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
+  const auto slot = [](SpecialKind kind) { return static_cast<std::size_t>(kind); };
   if (struck_together(equations)) {
-    BifurcationTests fold;
-    fold.values[static_cast<std::size_t>(SpecialKind::fold)] = tangent[equations.size()];
-    return fold;
+    BifurcationTests continuous;
+    continuous.values[slot(SpecialKind::fold)] = tangent[equations.size()];
+    continuous.values[slot(SpecialKind::phase_resonance)] =
+        bifurcation_test(equations, tangent, SpecialKind::phase_resonance);
+    return continuous;
   }
   BifurcationTests tests{.multipliers = multipliers_at(equations)};
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
-                                 SpecialKind::branch_point})
-    tests.values[static_cast<std::size_t>(kind)] = test_of(equations, tangent, kind, tests.multipliers);
+                                 SpecialKind::branch_point, SpecialKind::phase_resonance})
+    tests.values[slot(kind)] = test_of(equations, tangent, kind, tests.multipliers);
   return tests;
 }
 

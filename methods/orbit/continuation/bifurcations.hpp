@@ -1,9 +1,10 @@
 #pragma once
-// Test functions of the smooth bifurcations, and the stability of an orbit.
+// Test functions of the smooth bifurcations and of phase resonance, and the stability of an orbit.
 
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <string>
 
 #include "methods/orbit/continuation/orbit_branch.hpp"
 #include "methods/orbit/family/extended_equations.hpp"
@@ -21,12 +22,14 @@ namespace signorini {
 /// - Neimark-Sacker: the product of mu_i mu_j - 1 over all pairs. Identically zero where no energy is lost,
 /// and
 ///   absent there, as for a single coordinate, which has no such point. Branch points of free motions are
-///   not looked for.
+///   not looked for;
+/// - phase resonance: LoadPhase::in_phase over the frequency. Where it falls as the frequency rises is a
+///   resonance, where it rises an antiresonance, which is left out.
 ///
 /// Determinants are divided by the norms of their rows. Where contacts that feel each other through the mass
 /// strike at one event the map is not continuous, and the fold alone is a bifurcation.
 struct BifurcationTests {
-  std::array<std::optional<double>, 4> values = {};  ///< in the order of SpecialKind
+  std::array<std::optional<double>, 5> values = {};  ///< in the order of SpecialKind
   Eigen::VectorXcd multipliers = {};                 ///< 2 Nd; empty at a grazing
 
   [[nodiscard]] const std::optional<double>& of(SpecialKind kind) const {
@@ -40,6 +43,28 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
 /// One of them alone.
 std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
                                        SpecialKind kind);
+
+/// How a motion answers a load of one harmonic, Re f e^{i h omega t}: with Re u e^{i h omega t} that harmonic
+/// of the displacement, (K - (h omega)^2 M + i h omega D) u = f + W lambda, the load puts in the power -h
+/// omega Im(f^H u) / 2, which dampers and impacts take. Where Re f^H u = 0 it is in quadrature with the
+/// displacement, as the forces of dampers are, and balances them: to first order in the damping the motion is
+/// one of the structure without load and damping [peeters2011].
+struct LoadPhase {
+  /// Re(f^H u) |f| X / |f^H u|^2, X of CurveUnits: over |f|^2 / X the real part of the dynamic stiffness that
+  /// the load meets, which has no peak at a resonance [-].
+  double in_phase = 0.0;
+  /// |f^H u| / (2 (h omega)^2 u^H M u): at a phase resonance the ratio of the linear mode that takes this
+  /// power at the same frequency, shape and amplitude of the first harmonic [scheel2018]; its own in a linear
+  /// structure [-].
+  double damping_ratio = 0.0;
+};
+
+/// Why a scene has none, one clause: it takes dampers and a load of one harmonic, on coordinates with mass.
+std::string phase_obstacle(const FlowStructure& structure);
+
+/// That of the orbit at which the equations are evaluated; empty where there is an obstacle, and where the
+/// force of a closed contact is not known as a sum of exponentials.
+std::optional<LoadPhase> load_phase(const ExtendedEquations& equations);
 
 /// The eigenvalues of a monodromy matrix. Of a large one whose rank is small to rounding, as where most modes
 /// fade within the period, those of the small matrix with the same eigenvalues, and zeros.

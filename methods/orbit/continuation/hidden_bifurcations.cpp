@@ -104,7 +104,8 @@ bool multipliers_come_near(const TestsBefore& before, const BifurcationTests& be
 bool tests_come_near(const TestsBefore& before, const BifurcationTests& begin, double length,
                      const BifurcationTests& end) {
   constexpr double kOneMagnitude = 0.2;  // determinants that fade by decades have no parabola
-  for (std::size_t k = 0; k < begin.values.size(); ++k) {
+  constexpr auto kBifurcations = static_cast<std::size_t>(SpecialKind::phase_resonance);  // those before it
+  for (std::size_t k = 0; k < kBifurcations; ++k) {
     const auto &a = before.tests.values[k], &b = begin.values[k], &c = end.values[k];
     if (!a || !b || !c) continue;
     if (std::abs(*b) < kOneMagnitude * std::abs(*a) || std::abs(*c) < kOneMagnitude * std::abs(*b)) continue;

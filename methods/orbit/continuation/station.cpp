@@ -1,8 +1,11 @@
 #include "methods/orbit/continuation/station.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "methods/orbit/family/branch_point.hpp"
@@ -80,6 +83,12 @@ SolutionPoint solution_point(const ExtendedEquations& equations, const Station& 
   return point;
 }
 
+SolutionPoint resonance_point(const ExtendedEquations& equations, const Station& station) {
+  SolutionPoint point = solution_point(equations, station);
+  if (const auto phase = load_phase(equations)) point.damping_ratio = phase->damping_ratio;
+  return point;
+}
+
 namespace {
 
 // A contact that is pressed into its stop after an impact passes it: what is wrong is the impact.
@@ -130,6 +139,12 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
 
 namespace {
 
+// Whether a zero of the phase of the load is a resonance: it falls there as the frequency rises.
+bool falls_with_frequency(ExtendedEquations& equations, const Eigen::VectorXd& along, double change) {
+  const auto tangent = tangent_of(equations, along);
+  return tangent && change * (*tangent)[equations.size()] < 0.0;
+}
+
 // Of the two curves through a branch point that which the step is not on.
 Eigen::VectorXd crossing_tangent(const BranchPointSolution& point, const Station& begin, double length,
                                  const Station& end) {
@@ -144,7 +159,7 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
   constexpr double kReach = 0.05;  // of the step: of a branch point located to the root of rounding
   StepBifurcations result;
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
-                                 SpecialKind::branch_point}) {
+                                 SpecialKind::branch_point, SpecialKind::phase_resonance}) {
     const auto &before = begin.tests.of(kind), &after = end.tests.of(kind);
     if (!before || !after || !(*before * *after < 0.0)) continue;
     const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
@@ -165,13 +180,17 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
     }
     if (!zero) result.undecided = true;
     if (!zero || *zero > inside) continue;
+    const bool of_load = kind == SpecialKind::phase_resonance;
+    if (of_load && !falls_with_frequency(equations, begin.tangent, *after - *before)) continue;
     const Station there = station_at(equations, begin.tangent);
     const bool energy_turns = kind == SpecialKind::fold && !equations.family().driven();
-    if (!energy_turns && !confirmed(kind, there.tests.multipliers)) continue;
+    if (!of_load && !energy_turns && !confirmed(kind, there.tests.multipliers)) continue;
+    SolutionPoint point = of_load ? resonance_point(equations, there) : solution_point(equations, there);
+    std::string text = energy_turns          ? "the energy turns"
+                       : point.damping_ratio ? fmt::format("damping ratio {:.4g}", *point.damping_ratio)
+                                             : "";
     result.found.push_back({.length = *zero,
-                            .special = {.kind = kind,
-                                        .point = solution_point(equations, there),
-                                        .text = energy_turns ? "the energy turns" : ""},
+                            .special = {.kind = kind, .point = std::move(point), .text = std::move(text)},
                             .special_orbit = orbit_at(equations),
                             .orbit = equations.orbit(),
                             .across = std::move(across)});

@@ -29,6 +29,9 @@ Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent)
 /// motion
 SolutionPoint solution_point(const ExtendedEquations& equations, const Station& station, int phases = 0);
 
+/// The same of a phase resonance, with its damping ratio.
+SolutionPoint resonance_point(const ExtendedEquations& equations, const Station& station);
+
 /// The orbit at which the equations are evaluated, in SI units.
 OrbitGuess orbit_at(const ExtendedEquations& equations);
 

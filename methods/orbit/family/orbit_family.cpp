@@ -22,8 +22,8 @@ std::string continuation_obstacle(const Problem& problem) {
   return flow_obstacle(problem);
 }
 
-OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units)
-    : scene_(std::move(scene)), units_(units) {
+OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units, std::shared_ptr<SharedModes> modes)
+    : scene_(std::move(scene)), units_(units), modes_(std::move(modes)) {
   const Problem problem = scene_.at(scene_.middle());
   driven_ = highest_load_harmonic(problem) > 0;
   if (scene_.parameter == kFrequency && !load_grows(problem) && !follows_speed(problem))

@@ -33,8 +33,9 @@ class OrbitFamily {
   /// MotionScales::displacement, whichever is largest, in the middle of the interval.
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   explicit OrbitFamily(ParametrisedScene scene);
-  /// The same with units of another family.
-  OrbitFamily(ParametrisedScene scene, const CurveUnits& units);
+  /// The same with units of another family, and modes that other scenes have found.
+  OrbitFamily(ParametrisedScene scene, const CurveUnits& units,
+              std::shared_ptr<SharedModes> modes = std::make_shared<SharedModes>());
 
   /// The scene at a value of the parameter. Its last few models are kept. \throws std::runtime_error
   std::shared_ptr<OrbitModel> model(double parameter);
@@ -43,6 +44,8 @@ class OrbitFamily {
   /// False of free motions, which a periodic load drives not: any phase of theirs is as good as another, and
   /// their energy does not change.
   [[nodiscard]] bool driven() const { return driven_; }
+  /// Of its models so far.
+  [[nodiscard]] const std::shared_ptr<SharedModes>& modes() const { return modes_; }
 
  private:
   [[nodiscard]] double typical_displacement();
@@ -50,7 +53,7 @@ class OrbitFamily {
   ParametrisedScene scene_;
   CurveUnits units_;
   bool driven_ = true;
-  std::shared_ptr<SharedModes> modes_ = std::make_shared<SharedModes>();
+  std::shared_ptr<SharedModes> modes_;
   std::unique_ptr<OrbitModel> middle_;                                // where the frequency is the parameter
   std::list<std::pair<double, std::shared_ptr<OrbitModel>>> recent_;  // latest first
 };
