@@ -152,7 +152,8 @@ set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left r
 constexpr std::array kMarks{
     std::pair{SpecialKind::fold, 10},           std::pair{SpecialKind::period_doubling, 4},
     std::pair{SpecialKind::neimark_sacker, 12}, std::pair{SpecialKind::branch_point, 6},
-    std::pair{SpecialKind::grazing, 2},         std::pair{SpecialKind::contact_change, 1}};
+    std::pair{SpecialKind::phase_resonance, 8}, std::pair{SpecialKind::grazing, 2},
+    std::pair{SpecialKind::contact_change, 1}};
 
 }  // namespace
 

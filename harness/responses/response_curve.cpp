@@ -104,11 +104,13 @@ ResponseCurve curve_of(const BranchDiagram& diagram) {
                                .motion = point.motion,
                                .stable = stable(point.stability)});
     curve.branches.push_back(std::move(points));
-    for (const SpecialPoint& special : branch.special)
+    for (const SpecialPoint& special : branch.special) {
+      if (special.kind == SpecialKind::phase_resonance) continue;  // nothing changes there
       curve.located.push_back({.kind = special.kind,
                                .frequency = special.point.frequency,
                                .order = special.point.order,
                                .amplitude = amplitude_at(special.point)});
+    }
   }
   if (!diagram.unfinished.empty()) curve.open_ends.push_back(diagram.unfinished);
   curve.open_ends.insert(curve.open_ends.end(), diagram.notes.begin(), diagram.notes.end());

@@ -4,28 +4,62 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
+#include "harness/plan/scene_choice.hpp"
+#include "harness/sweep/branch_json.hpp"
 #include "harness/sweep/frequency_response.hpp"
 #include "harness/text/words.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
+#include "methods/orbit/family/orbit_family.hpp"
 #include "problems/scene/varied_scene.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr SpecialKind kFollowedKinds[] = {SpecialKind::fold, SpecialKind::period_doubling,
-                                          SpecialKind::neimark_sacker, SpecialKind::grazing,
-                                          SpecialKind::contact_change};
+constexpr SpecialKind kFollowedKinds[] = {SpecialKind::fold,           SpecialKind::period_doubling,
+                                          SpecialKind::neimark_sacker, SpecialKind::phase_resonance,
+                                          SpecialKind::grazing,        SpecialKind::contact_change};
 
 SpecialKind followed_kind(const std::string& name) {
   for (const SpecialKind kind : kFollowedKinds) {
     if (describe(kind) == name) return kind;
   }
   throw UsageError(fmt::format("follow = {} (must be {})", name, joined(followed_kinds(), ", ")));
+}
+
+// What is constant in the load stays, as weights do.
+Problem with_load_factor(Problem problem, double factor) {
+  for (ForceTerm& term : problem.force) {
+    if (term.harmonic == 0) continue;
+    term.cos *= factor;
+    term.sin *= factor;
+  }
+  for (FrameTerm& term : problem.frame) {
+    term.cos *= factor;
+    term.sin *= factor;
+  }
+  return problem;
+}
+
+// The scene at values of the second number.
+std::function<Problem(double)> varied(const SceneSource& source, const SecondParameter& second) {
+  if (second.place == kLoadFactor) {
+    for (const auto& [name, value] :
+         {std::pair("second-from", second.from), std::pair("second-to", second.to)}) {
+      if (!(value > 0.0)) throw UsageError(fmt::format("{} = {} (must be above 0)", name, value));
+    }
+    return [problem = read_scene(source).problem](double value) { return with_load_factor(problem, value); };
+  }
+  const auto scene = std::make_shared<const VariedScene>(source, second.place);
+  for (const double end : {second.from, second.to}) (void)scene->at(end);  // refuses what is no scene
+  return [scene](double value) { return scene->unchecked(value); };
 }
 
 ScenePlane plane_of(const SceneSource& source, double from, double to, const SecondParameter& second) {
@@ -39,9 +73,8 @@ ScenePlane plane_of(const SceneSource& source, double from, double to, const Sec
   }
   if (second.from == second.to)
     throw UsageError(fmt::format("second-to = {} (must differ from --second-from)", second.to));
-  const auto scene = std::make_shared<const VariedScene>(source, second.place);
-  for (const double end : {second.from, second.to}) (void)scene->at(end);  // refuses what is no scene
-  return {.at = [scene, from, to](double value) { return over_frequency(scene->unchecked(value), from, to); },
+  return {.at = [scene = varied(source, second), from,
+                 to](double value) { return over_frequency(scene(value), from, to); },
           .second = second.place,
           .from = second.from,
           .to = second.to};
@@ -77,22 +110,28 @@ BifurcationCurves bifurcation_response(const SceneSource& source, double from, d
   return *std::move(curves);
 }
 
+ParameterRange backbone_band(const SceneSource& source) {
+  const Problem problem = read_scene(source).problem;
+  if (const std::string obstacle = continuation_obstacle(problem); !obstacle.empty())
+    throw UsageError(fmt::format("scene = {} (must be one that is followed: {})", problem.name, obstacle));
+  const auto band = free_motion_band(with_load_factor(problem, 0.0));
+  if (!band) throw UsageError("--from and --to are required without contacts or springs that hold the scene");
+  return *band;
+}
+
 nlohmann::ordered_json to_json(const BifurcationCurves& response, const std::string& second) {
   using Json = nlohmann::ordered_json;
   Json curves = Json::array();
   for (const BifurcationCurve& curve : response.curves) {
     Json points = Json::array();
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
-      const SolutionPoint& point = curve.points[i];
-      Json multipliers = Json::array();
-      for (const auto& mu : point.multipliers) multipliers.push_back({mu.real(), mu.imag()});
-      points.push_back({{"omega", point.frequency},
-                        {"second", curve.second[i]},
-                        {"order", point.order},
-                        {"amplitude", point.amplitude},
-                        {"x_max", point.x_max},
-                        {"impacts", point.impacts},
-                        {"multipliers", multipliers}});
+      Json point = to_json(curve.points[i]);
+      if (curve.kind != SpecialKind::phase_resonance) {  // of a change of stability it is rounding
+        point.erase("stable");
+        point.erase("stability");
+      }
+      point["second"] = curve.second[i];
+      points.push_back(std::move(point));
     }
     curves.push_back({{"kind", describe(curve.kind)},
                       {"sequence", curve.sequence},
@@ -108,17 +147,26 @@ Table bifurcation_table(const BifurcationCurves& response, const std::string& se
   Table table;
   table.header = {"curve",   "kind",      "omega [rad/s]", second, "order",
                   "impacts", "x max [m]", "amplitude [m]", "mark"};
+  const bool damped = std::ranges::any_of(response.curves, [](const BifurcationCurve& curve) {
+    return curve.kind == SpecialKind::phase_resonance;
+  });
+  for (const char* title : {"damping ratio", "stability"})
+    if (damped) table.header.insert(table.header.end() - 1, title);
   for (std::size_t c = 0; c < response.curves.size(); ++c) {
     const BifurcationCurve& curve = response.curves[c];
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const SolutionPoint& point = curve.points[i];
       const bool first = i == 0, last = i + 1 == curve.points.size();
-      table.rows.push_back({value_cell(static_cast<double>(c)), describe(curve.kind),
+      std::vector<Cell>& row = table.rows.emplace_back(
+          std::vector<Cell>{value_cell(static_cast<double>(c)), describe(curve.kind),
                             value_cell(point.frequency), value_cell(curve.second[i]), value_cell(point.order),
                             value_cell(point.impacts), largest_in(point.x_max), largest_in(point.amplitude),
                             last    ? "ends: " + curve.ended
                             : first ? "begins: " + curve.began
                                     : std::string()});
+      if (!damped) continue;
+      const Cell ratio = point.damping_ratio ? value_cell(*point.damping_ratio) : Cell("-");
+      row.insert(row.end() - 1, {ratio, Cell(describe(point.stability))});
     }
   }
   return table;

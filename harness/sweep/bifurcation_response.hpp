@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/sweep/branch_response.hpp"
@@ -10,7 +11,11 @@
 
 namespace signorini {
 
-/// The second number of a scene, by its place, and its interval; curves begin at `from`.
+/// The second number that is no place of the scene: the factor of all that varies in its load and in the
+/// motion of its stops [-].
+inline constexpr std::string_view kLoadFactor = "load-factor";
+
+/// The second number of a scene, by its place or kLoadFactor, and its interval; curves begin at `from`.
 struct SecondParameter {
   std::string place;
   double from = 0.0;
@@ -18,7 +23,7 @@ struct SecondParameter {
 };
 
 /// The kinds of special points that have a curve, by their names: "fold", "period-doubling",
-/// "neimark-sacker", "grazing", "contact-change".
+/// "neimark-sacker", "phase-resonance", "grazing", "contact-change".
 std::vector<std::string> followed_kinds();
 
 /// Curves of the special points of a kind, over the frequency from `from` to `to` and a second number, from
@@ -30,12 +35,17 @@ BifurcationCurves bifurcation_response(const SceneSource& source, double from, d
                                        const SecondParameter& second, const std::string& kind,
                                        const MethodChoice& method, const CurveLimits& limits);
 
-/// {"parameter", "second", "curves": [{"kind", "sequence", "points": [{"omega", "second", "order",
-/// "amplitude", "x_max", "impacts", "multipliers"}], "began", "ended"}], "unfinished"}.
+/// The interval of the frequency of a backbone unless it is asked for: free_motion_band of the scene at rest.
+/// \throws UsageError where there is none
+ParameterRange backbone_band(const SceneSource& source);
+
+/// {"parameter", "second", "curves": [{"kind", "sequence", "points": [{"second", ...}], "began", "ended"}],
+/// "unfinished"}, the other keys of a point those of to_json(SolutionPoint); without those of stability where
+/// the kind is a change of it.
 /// \param second  its place
 nlohmann::ordered_json to_json(const BifurcationCurves& response, const std::string& second);
 
-/// One row per point, in the order of the curves.
+/// One row per point, in the order of the curves; of phase resonances with stability and damping ratio.
 /// \param second  its place
 Table bifurcation_table(const BifurcationCurves& response, const std::string& second);
 

@@ -45,13 +45,8 @@ void add_point(Json& json, const SolutionPoint& point) {
   json["multipliers"] = multipliers_json(point.multipliers);
   if (point.parameter != point.frequency) json["value"] = point.parameter;
   if (point.energy) json["energy"] = *point.energy;
+  if (point.damping_ratio) json["damping_ratio"] = *point.damping_ratio;
   if (point.motion.size() > 0) json["motion"] = motion_json(point.motion);
-}
-
-Json point_json(const SolutionPoint& point) {
-  Json json = Json::object();
-  add_point(json, point);
-  return json;
 }
 
 Json special_json(const SpecialPoint& special) {
@@ -111,6 +106,7 @@ SolutionPoint point_from_json(const Json& json) {
     point.multipliers[static_cast<Eigen::Index>(i)] = {number_of_json(multipliers[i].at(0)),
                                                        number_of_json(multipliers[i].at(1))};
   if (json.contains("energy")) point.energy = number_of_json(json.at("energy"));
+  if (json.contains("damping_ratio")) point.damping_ratio = number_of_json(json.at("damping_ratio"));
   if (json.contains("motion")) point.motion = motion_from_json(json.at("motion"), point.amplitude.size());
   return point;
 }
@@ -135,9 +131,15 @@ auto read_plain(const char* what, const Json& json, Read&& read) {
 
 }  // namespace
 
+Json to_json(const SolutionPoint& point) {
+  Json json = Json::object();
+  add_point(json, point);
+  return json;
+}
+
 Json to_json(const Branch& branch, const std::string& method, const std::string& other_law) {
   Json points = Json::array(), special = Json::array();
-  for (const SolutionPoint& point : branch.points) points.push_back(point_json(point));
+  for (const SolutionPoint& point : branch.points) points.push_back(to_json(point));
   for (const SpecialPoint& at : branch.special) special.push_back(special_json(at));
   Json json{{"method", method},   {"sequence", branch.sequence}, {"points", points},
             {"special", special}, {"began", branch.began},       {"ended", branch.ended}};

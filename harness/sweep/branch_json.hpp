@@ -10,13 +10,15 @@
 
 namespace signorini {
 
-/// {"method", "sequence", "points", "special", "began", "ended"}. A point is {"omega", "order", "amplitude",
-/// "x_max", "impacts", "stable", "stability", "multipliers"}; amplitude and x_max have an entry per contact;
-/// `stable` is null where the multipliers do not tell; a multiplier is [re, im]. It has "value" too where the
-/// parameter is not the frequency, "energy" where no load drives the motion, and "motion", x_j by instants,
-/// where that was asked for. A special point is a point with "kind", "after", the number of points before it,
-/// and "text".
-/// `by_steps` is there where it is true, `other_law` unless it is empty.
+/// {"omega", "order", "amplitude", "x_max", "impacts", "stable", "stability", "multipliers"}; amplitude and
+/// x_max have an entry per contact; `stable` is null where the multipliers do not tell; a multiplier is
+/// [re, im]. It has "value" too where the parameter is not the frequency, "energy" where no load drives the
+/// motion, "damping_ratio" at a phase resonance, and "motion", x_j by instants, where that was asked for.
+nlohmann::ordered_json to_json(const SolutionPoint& point);
+
+/// {"method", "sequence", "points", "special", "began", "ended"}, points as above. A special point is a point
+/// with "kind", "after", the number of points before it, and "text". `by_steps` is there where it is true,
+/// `other_law` unless it is empty.
 nlohmann::ordered_json to_json(const Branch& branch, const std::string& method,
                                const std::string& other_law = {});
 

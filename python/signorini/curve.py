@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-KINDS = ("fold", "period-doubling", "neimark-sacker", "branch-point", "grazing", "contact-change")
+KINDS = ("fold", "period-doubling", "neimark-sacker", "branch-point", "phase-resonance", "grazing", "contact-change")
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Point:
 class SpecialPoint:
     """A point of a curve that was located.
 
-    kind: "fold", "period-doubling", "neimark-sacker", "branch-point", "grazing" or "contact-change".
+    kind: "fold", "period-doubling", "neimark-sacker", "branch-point", "phase-resonance", "grazing" or "contact-change".
     after: points of the curve before it.  text: more about it.
     """
 

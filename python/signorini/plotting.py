@@ -49,7 +49,7 @@ def plot_solution(solution: Solution, contact: int, figure):
     return figure
 
 
-MARKS = {"fold": "s", "period-doubling": "D", "neimark-sacker": "^", "branch-point": "P", "grazing": "o", "contact-change": "X"}
+MARKS = {"fold": "s", "period-doubling": "D", "neimark-sacker": "^", "branch-point": "P", "phase-resonance": "v", "grazing": "o", "contact-change": "X"}
 
 
 def plot_response(response: Response, contact: int, axes, **style):

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Special:
-    """Where a branch changes: "fold", "period-doubling", "neimark-sacker", "branch-point", "grazing" or "contact-change".
+    """Where a branch changes: "fold", "period-doubling", "neimark-sacker", "branch-point", "phase-resonance", "grazing" or "contact-change".
 
     frequency: [rad/s].  after: points of the branch before it.  multipliers: complex.  text: what happens, or "".
     """

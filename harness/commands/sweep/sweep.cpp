@@ -351,6 +351,7 @@ int sweep_attractors(const SweepArguments& arguments) {
 }
 
 int sweep(SweepArguments arguments) {
+  complete_backbone(arguments);
   complete_free_motions(arguments);
   arguments.range = interval(arguments);
   if (arguments.attractors.starts == 0 && arguments.method.empty() == arguments.methods.empty())

@@ -67,11 +67,16 @@ void add_attractor_options(const Command& command, SweepArguments& arguments) {
 void add_special_point_options(const Command& command, SweepArguments& arguments) {
   command.option("--follow", arguments.follow,
                  "with --methods exact-orbit: curves of these special points over the frequency and a "
-                 "second number: fold, period-doubling, neimark-sacker, grazing or contact-change");
+                 "second number: fold, period-doubling, neimark-sacker, phase-resonance, grazing or "
+                 "contact-change");
   command.option("--second", arguments.second.place,
-                 "with --follow: the second number, by its place in the scene file");
+                 "with --follow: the second number, by its place in the scene file, or load-factor: that of "
+                 "all that varies in the load");
   command.option("--second-from", arguments.second.from, "where curves begin");
   command.option("--second-to", arguments.second.to, "where they end");
+  command.flag("--backbone", arguments.backbone,
+               "the modes of a damped scene over their amplitude, with frequency, damping ratio and "
+               "stability: --follow phase-resonance --second load-factor from 0.01 to 1");
 }
 
 }  // namespace
@@ -187,6 +192,23 @@ void complete_free_motions(SweepArguments& arguments) {
   if (!band) return;
   arguments.from = band->low;
   arguments.to = band->high;
+  arguments.hertz = false;
+}
+
+void complete_backbone(SweepArguments& arguments) {
+  constexpr double kSmall = 0.01;  // of the load: most motions reach no stop
+  if (!arguments.backbone) return;
+  if (!arguments.follow.empty() || !arguments.method.empty() || arguments.attractors.starts > 0)
+    throw UsageError("backbone (must stand without --follow, --method and --attractors)");
+  arguments.follow = describe(SpecialKind::phase_resonance);
+  if (arguments.methods.empty()) arguments.methods = exact_method().name;
+  if (arguments.second.place.empty()) arguments.second.place = kLoadFactor;
+  if (arguments.second.place == kLoadFactor && arguments.second.from == SecondParameter{}.from)
+    arguments.second.from = kSmall * arguments.second.to;
+  if (arguments.from || arguments.to) return;
+  const ParameterRange band = backbone_band(find_scene(arguments.scene));
+  arguments.from = band.low;
+  arguments.to = band.high;
   arguments.hertz = false;
 }
 

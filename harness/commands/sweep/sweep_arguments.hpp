@@ -32,6 +32,7 @@ struct SweepArguments {
   bool natural = false;
   std::string follow;
   SecondParameter second;
+  bool backbone = false;
   std::string format = "text";
   std::string plot;
   Column column = Column::own;
@@ -56,6 +57,10 @@ ParametrisedScene parametrised(const SweepArguments& arguments, const Scene& sce
 /// Free motions have an interval of their own, and one method follows them: both are set where the command
 /// line leaves them open.
 void complete_free_motions(SweepArguments& arguments);
+
+/// `--backbone` stands for phase resonances over the load factor, from where the load is small; method,
+/// interval and second number are set where the command line leaves them open. \throws UsageError, SceneError
+void complete_backbone(SweepArguments& arguments);
 
 /// The values of the parameter at which motions are followed: those asked for, else equally spaced, of a
 /// frequency as sweep_frequencies has them. \throws UsageError

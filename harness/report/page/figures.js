@@ -83,7 +83,7 @@ const profileSpecs = (title, panels, width) => {
 
 // Special points of a response by their kind.
 const kKinds = { "fold": d3.symbolTriangle, "period-doubling": d3.symbolSquare, "neimark-sacker": d3.symbolDiamond, "branch-point": d3.symbolStar,
-  "grazing": d3.symbolCircle, "contact-change": d3.symbolCross };
+  "phase-resonance": d3.symbolWye, "grazing": d3.symbolCircle, "contact-change": d3.symbolCross };
 const shapeOf = (kind) => d3.symbol().type(kKinds[kind]).size(kMarkArea)();
 const kParts = [["stable", 1, {}], ["unstable", 0, { dash: "5 4" }], ["stability unknown", -1, { thin: true }]];
 

@@ -21,6 +21,7 @@ Branch whole_branch() {
                       .amplitude = {0.3, 0.4},
                       .impacts = 3,
                       .energy = 1.5,
+                      .damping_ratio = 0.05,
                       .stability = OrbitStability::elliptic};
   point.multipliers = Eigen::Vector2cd(std::complex<double>(0.6, 0.8), std::complex<double>(0.6, -0.8));
   point.motion = Eigen::MatrixXd::Constant(4, 2, 1.0 / 3.0);
@@ -28,6 +29,7 @@ Branch whole_branch() {
   branch.points = {point, point};
   branch.points[1].stability = OrbitStability::unstable;
   branch.points[1].energy.reset();
+  branch.points[1].damping_ratio.reset();
   branch.points[0].undefined = "depends";
   branch.special = {{.kind = SpecialKind::neimark_sacker, .point = point, .text = "x", .after = 2}};
   return branch;
@@ -41,6 +43,8 @@ TEST(BranchJson, ComesBackButForTheOrbits) {
   EXPECT_EQ(back.points[0].x_max[1], std::nextafter(0.2, 1.0));
   EXPECT_EQ(back.points[0].motion, whole_branch().points[0].motion);
   EXPECT_EQ(back.points[1].stability, OrbitStability::unstable);
+  EXPECT_EQ(back.points[0].damping_ratio, 0.05);
+  EXPECT_FALSE(back.points[1].damping_ratio);
   EXPECT_EQ(back.special[0].kind, SpecialKind::neimark_sacker);
   EXPECT_EQ(back.special[0].after, 2U);
   EXPECT_TRUE(json["points"][0]["stable"].is_null());

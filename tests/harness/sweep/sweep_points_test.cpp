@@ -9,6 +9,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "harness/failure.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
@@ -157,6 +158,49 @@ TEST(CommandSweep, FollowsFoldsOverASecondNumber) {
       nearest = std::min(nearest, std::abs(last["omega"].get<double>() - 3.4543608376498));
   }
   EXPECT_LT(nearest, 1e-9);
+}
+
+// At the whole load it ends where the forced response has its phase resonance located.
+TEST(CommandSweep, FollowsTheBackboneToThePeakOfTheResponse) {
+  const test::Outcome outcome = test::run_program("sweep sdof-penalty-soft --backbone --format json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto backbone = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(backbone["second"], "load-factor");
+  ASSERT_EQ(backbone["curves"].size(), 2U);
+  const auto& first = backbone["curves"][0]["points"][0];
+  EXPECT_NEAR(first["second"].get<double>(), 0.01, 1e-15);
+  EXPECT_NEAR(first["omega"].get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(first["damping_ratio"].get<double>(), 0.05, 1e-13);
+  EXPECT_EQ(first["stability"], "stable");
+  const auto& end = backbone["curves"][1]["points"].back();
+  EXPECT_NEAR(end["second"].get<double>(), 1.0, 1e-12);
+  const test::Outcome forced = test::run_program(
+      "sweep sdof-penalty-soft --methods exact-orbit --from 0.95 --to 2 --max-order 1 --format json");
+  double nearest = 1e300;
+  for (const auto& branch : nlohmann::json::parse(forced.out)["branches"]) {
+    for (const auto& special : branch["special"]) {
+      if (special["kind"] == "phase-resonance")
+        nearest = std::min(nearest, std::abs(special["omega"].get<double>() - end["omega"].get<double>()) +
+                                        std::abs(special["damping_ratio"].get<double>() -
+                                                 end["damping_ratio"].get<double>()));
+    }
+  }
+  EXPECT_LT(nearest, 1e-9);
+}
+
+// Exit code 1 and one line where nothing is found, 2 where nothing can be.
+TEST(CommandSweep, SaysWhyThereIsNoBackbone) {
+  for (const auto& [arguments, code, words] :
+       {std::tuple("sdof-two-harmonics --from 0.9 --to 1.1", 1, "the load has more than one harmonic"),
+        std::tuple("sdof-penalty-soft --from 2.5 --to 3", 1, "no phase-resonance at load-factor = 0.01"),
+        std::tuple("sdof-contact-free", 2, "--from and --to are required"),
+        std::tuple("sdof-penalty-soft --second-from -1", 2, "must be above 0"),
+        std::tuple("sdof-penalty-soft --follow fold", 2, "must stand without --follow")}) {
+    const test::Outcome outcome = test::run_program(std::string("sweep --backbone ") + arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << arguments << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << outcome.err;
+  }
 }
 
 TEST(CommandSweep, RefusesValuesAndSecondNumbersThatAreNoneInOneLine) {
