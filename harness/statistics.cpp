@@ -1,6 +1,7 @@
 #include "harness/statistics.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
@@ -62,6 +63,23 @@ Interval proportion(int count, int of) {
       kQuantile * std::sqrt(share * (1.0 - share) / n + 0.25 * squared / (n * n)) / (1.0 + squared / n);
   // Of none or all the ends are 0 or 1, but for rounding.
   return {.low = count == 0 ? 0.0 : centre - half, .high = count == of ? 1.0 : centre + half};
+}
+
+Interval bootstrap_median(std::vector<double> values) {
+  constexpr double kLower = 0.025, kUpper = 0.975;
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  const auto middle = [&](std::size_t rank, double chance) {
+    for (std::size_t k = 1; k < n; ++k) {
+      const boost::math::binomial draws(static_cast<double>(n),
+                                        static_cast<double>(k) / static_cast<double>(n));
+      const double below =
+          cdf(complement(draws, static_cast<double>(rank) - 1.0));  // of `rank` draws or more
+      if (below >= chance) return values[k - 1];
+    }
+    return values.back();
+  };
+  return {.low = middle((n + 1) / 2, kLower), .high = middle(n / 2 + 1, kUpper)};
 }
 
 double signed_rank_probability(std::vector<double> differences) {

@@ -21,6 +21,12 @@ struct Interval {
 /// interval [wilson1927]. Requires 0 <= count <= of, of >= 1.
 Interval proportion(int count, int of);
 
+/// The median of the population from which these are independent draws: the percentile interval of the
+/// bootstrap [efron1979]. All its samples are counted, none is drawn: of n values the median of a sample is
+/// at most the k-th where half of n draws or more are, each of which is with the probability k / n. Infinite
+/// values are the largest. Requires at least one value.
+Interval bootstrap_median(std::vector<double> values);
+
 /// The probability, two-sided, of a sum of signed ranks [wilcoxon1945] as far from its mean as that of these
 /// differences, were each of them as likely as its negative. Differences of 0 say nothing; equal magnitudes
 /// share their ranks, infinite ones are the largest. Exact up to 200 differences, by the normal distribution

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace signorini::statistics_test {
 namespace {
@@ -40,6 +41,53 @@ TEST(BatchMean, KnowsTheErrorOfItsValue) {
   EXPECT_NEAR(inside, 0.95 * kTrials, 20.0);
   EXPECT_NEAR(width, 2.093 / std::sqrt(3.0 * kSize), 0.1 * 2.093 / std::sqrt(3.0 * kSize));
   EXPECT_EQ(batch_mean({2.0}).error, 0.0);
+}
+
+// Oracle: samples drawn at random, as the bootstrap is usually done.
+TEST(BootstrapMedian, IsWhatSamplesDrawnAtRandomTendTo) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  for (const std::size_t n : {7U, 11U, 27U}) {
+    std::vector<double> values(n);
+    for (double& value : values) value = normal(random);
+    std::uniform_int_distribution<std::size_t> place(0, n - 1);
+    std::vector<double> medians(20000);
+    for (double& middle : medians) {
+      std::vector<double> sample(n);
+      for (double& value : sample) value = values[place(random)];
+      middle = median(sample);
+    }
+    std::ranges::sort(medians);
+    const Interval found = bootstrap_median(values);
+    EXPECT_EQ(found.low, medians[500]) << n;
+    EXPECT_EQ(found.high, medians[19499]) << n;
+  }
+}
+
+// The ends are values of the sample: of 12 the 3rd and the 10th, between which the population's median lies
+// with the probability 96.1 % (binomial); of 21 the 7th and the 15th, 92.2 %.
+TEST(BootstrapMedian, HoldsTheMedianOfThePopulationAboutNineteenTimesOfTwenty) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(2.0, 1.0);
+  constexpr int kTrials = 2000;
+  for (const auto& [n, share] : {std::pair<std::size_t, double>{12, 0.961}, {21, 0.922}}) {
+    int inside = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      std::vector<double> values(n);
+      for (double& value : values) value = normal(random);
+      const Interval found = bootstrap_median(values);
+      inside += found.low <= 2.0 && 2.0 <= found.high ? 1 : 0;
+    }
+    EXPECT_NEAR(inside, share * kTrials, 0.02 * kTrials) << n;
+  }
+}
+
+TEST(BootstrapMedian, TakesFailuresAsInfiniteTimes) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(bootstrap_median({3.0}).low, 3.0);
+  EXPECT_EQ(bootstrap_median({3.0}).high, 3.0);
+  EXPECT_EQ(bootstrap_median({1.0, 1.0, 1.0, kInfinity, kInfinity}).low, 1.0);
+  EXPECT_EQ(bootstrap_median({1.0, 1.0, 1.0, kInfinity, kInfinity}).high, kInfinity);
 }
 
 TEST(Median, TakesFailuresAsInfiniteTimes) {

@@ -5,6 +5,9 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <utility>
+
+#include "harness/statistics.hpp"
 
 namespace signorini {
 
@@ -63,6 +66,43 @@ PerformanceProfile performance_profile(const Costs& costs) {
   }
   for (auto& ratios : profile.ratios) std::sort(ratios.begin(), ratios.end());
   return profile;
+}
+
+PairedCosts::PairedCosts(const std::vector<double>& one, const std::vector<double>& other) {
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (std::isfinite(one[i]) || std::isfinite(other[i])) logarithms.push_back(std::log(one[i] / other[i]));
+  }
+}
+
+double PairedCosts::ratio() const {
+  std::vector<double> both = logarithms;
+  std::erase_if(both, [](double value) { return !std::isfinite(value); });
+  return both.empty() ? 1.0 : std::exp(median(both));
+}
+
+bool PairedCosts::both_solve_all() const {
+  return std::ranges::all_of(logarithms, [](double value) { return std::isfinite(value); });
+}
+
+std::vector<std::vector<bool>> different_costs(const Costs& costs) {
+  constexpr double kAlike = 1.05, kChance = 0.05;
+  std::vector<std::vector<bool>> differ(costs.size(), std::vector<bool>(costs.size(), false));
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<double> probabilities;
+  for (std::size_t a = 0; a < costs.size(); ++a) {
+    for (std::size_t b = a + 1; b < costs.size(); ++b) {
+      const PairedCosts pair(costs[a], costs[b]);
+      pairs.emplace_back(a, b);
+      probabilities.push_back(signed_rank_probability(pair.logarithms));
+      differ[a][b] = !pair.both_solve_all() || std::max(pair.ratio(), 1.0 / pair.ratio()) >= kAlike;
+    }
+  }
+  probabilities = corrected_probabilities(probabilities);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    differ[b][a] = differ[a][b] = differ[a][b] && probabilities[i] <= kChance;
+  }
+  return differ;
 }
 
 std::vector<RankingGroup> ranking_groups(const std::vector<ResolutionStudy>& studies,

@@ -49,6 +49,24 @@ struct PerformanceProfile {
 /// [gould2016].
 PerformanceProfile performance_profile(const Costs& costs);
 
+/// Costs of two configurations, scene by scene.
+struct PairedCosts {
+  /// Of the one over those of the other where one of them at least is finite; infinite where the other is
+  /// not.
+  std::vector<double> logarithms = {};
+
+  PairedCosts(const std::vector<double>& one, const std::vector<double>& other);
+  /// The median over the scenes that both solve; 1 where there is none.
+  [[nodiscard]] double ratio() const;
+  /// Whether each scene that one solves is solved by the other.
+  [[nodiscard]] bool both_solve_all() const;
+};
+
+/// Whether two configurations differ in cost, a row for each, with a column for each: by 5 % at least or in
+/// what they solve, and by more than chance would explain (signed_rank_probability of all pairs at 5 %
+/// together, corrected_probabilities).
+std::vector<std::vector<bool>> different_costs(const Costs& costs);
+
 /// Configurations that represent the laws of the same scenes. Each scene belongs to one group.
 struct RankingGroup {
   std::vector<std::string> configurations = {};

@@ -190,6 +190,61 @@ constexpr std::string_view kWorkText =
 scenes: counts that no noise touches. What an iteration or a pivot costs differs between methods; they compare
 runs of one kind.)";
 
+constexpr std::string_view kIntervalsText =
+    R"(How sure the verdict on these scenes is of others like them, to an error of {}: the scenes as a
+sample of 95 % confidence. Of the share that is solved Wilson's interval [wilson1927]; of the median time, a failure counting as
+infinite, that of the bootstrap over scenes [efron1979]. Best first, by scenes and then by time. Beside the best: no
+difference, where the times of the two differ by less than 5 % or by no more than chance would explain, as in the
+section pair by pair.)";
+
+/// "64 to 100 %".
+std::string interval_text(const Interval& share) {
+  return fmt::format("{:.0f} to {:.0f} %", 100.0 * share.low, 100.0 * share.high);
+}
+
+/// "not reached" of an infinite time.
+std::string end_text(double seconds) { return std::isfinite(seconds) ? time_text(seconds) : "not reached"; }
+
+/// What a row says of its costs beside those of the best.
+Cell beside_best(const std::vector<double>& row, const std::vector<double>& best, bool differ) {
+  if (!differ) return {"no difference"};
+  const double ratio = PairedCosts(row, best).ratio();
+  const std::ptrdiff_t fewer = solved_count(best) - solved_count(row);
+  const std::string times = fmt::format("{:.2g} times as long", ratio);
+  return {fewer > 0 ? fmt::format("{}, {} fewer solved", times, fewer) : times, ratio};
+}
+
+/// Configurations by the number of scenes they solve, then by their median time.
+std::vector<std::size_t> best_first(const Costs& costs) {
+  std::vector<std::size_t> order(costs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(
+      order, {}, [&](std::size_t c) { return std::pair(-solved_count(costs[c]), median(costs[c])); });
+  return order;
+}
+
+void fill_intervals(const RankingGroup& group, Section& section) {
+  if (!is_timed(group) || group.scenes.size() < kFewestScenes || group.configurations.size() < 2) return;
+  const double error = kGroupErrors[kRankingError];
+  section.text = fmt::format(kIntervalsText, error_title(error));
+  section.table.header = {"method", "solved", "share, 95 %", "time, median", "time, 95 %", "beside the best"};
+  const Costs costs = costs_to_error(group, time_axis(), error);
+  const std::vector<std::vector<bool>> differ = different_costs(costs);
+  const std::vector<std::size_t> order = best_first(costs);
+  for (const std::size_t c : order) {
+    const std::ptrdiff_t solved = solved_count(costs[c]);
+    if (solved == 0) continue;
+    const Interval time = bootstrap_median(costs[c]);
+    const double middle = median(costs[c]);
+    section.table.rows.push_back(
+        {group.configurations[c], count_cell(solved, std::ssize(costs[c])),
+         interval_text(proportion(static_cast<int>(solved), static_cast<int>(costs[c].size()))),
+         Cell(end_text(middle), middle), fmt::format("{} to {}", end_text(time.low), end_text(time.high)),
+         c == order.front() ? Cell("-")
+                            : beside_best(costs[c], costs[order.front()], differ[c][order.front()])});
+  }
+}
+
 void fill_time_to_error(const RankingGroup& group, Section& section) {
   if (!is_timed(group)) return;
   section.text = kTimeToErrorText;
@@ -244,53 +299,10 @@ void fill_distribution(const RankingGroup& group, double limit, Section& section
   }
 }
 
-/// Two methods at one error, scene by scene.
-struct PairedTimes {
-  std::vector<double> logarithms =
-      {};  ///< of the times of the one over those of the other; infinite where one fails
-
-  PairedTimes(const std::vector<double>& one, const std::vector<double>& other) {
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      if (std::isfinite(one[i]) || std::isfinite(other[i])) logarithms.push_back(std::log(one[i] / other[i]));
-    }
-  }
-  /// Over the scenes that both solve; 1 where there is none.
-  [[nodiscard]] double ratio() const {
-    std::vector<double> both = logarithms;
-    std::erase_if(both, [](double value) { return !std::isfinite(value); });
-    return both.empty() ? 1.0 : std::exp(median(both));
-  }
-  [[nodiscard]] bool both_solve_all() const {
-    return std::ranges::all_of(logarithms, [](double value) { return std::isfinite(value); });
-  }
-};
-
-/// Whether two methods differ in time to an error: a row for each, with a column for each.
-std::vector<std::vector<bool>> differences(const Costs& costs) {
-  constexpr double kAlike = 1.05, kChance = 0.05;
-  std::vector<std::vector<bool>> differ(costs.size(), std::vector<bool>(costs.size(), false));
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  std::vector<double> probabilities;
-  for (std::size_t a = 0; a < costs.size(); ++a) {
-    for (std::size_t b = a + 1; b < costs.size(); ++b) {
-      const PairedTimes pair(costs[a], costs[b]);
-      pairs.emplace_back(a, b);
-      probabilities.push_back(signed_rank_probability(pair.logarithms));
-      differ[a][b] = !pair.both_solve_all() || std::max(pair.ratio(), 1.0 / pair.ratio()) >= kAlike;
-    }
-  }
-  probabilities = corrected_probabilities(probabilities);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto [a, b] = pairs[i];
-    differ[b][a] = differ[a][b] = differ[a][b] && probabilities[i] <= kChance;
-  }
-  return differ;
-}
-
 /// "62 % (1.9)", or "62 % =".
 Cell pair_cell(const std::vector<double>& row, const std::vector<double>& column, bool differ) {
   Cell cell = share_cell(performance_profile({row, column}).share(0, 1.0));
-  cell.text += differ ? fmt::format(" ({:.2g})", PairedTimes(row, column).ratio()) : " =";
+  cell.text += differ ? fmt::format(" ({:.2g})", PairedCosts(row, column).ratio()) : " =";
   return cell;
 }
 
@@ -303,7 +315,7 @@ void fill_pairs(const RankingGroup& group, Section& section) {
                               group.configurations.end());
   for (const double error : kHeadlineErrors) {
     const Costs costs = costs_to_error(group, time_axis(), error);
-    const std::vector<std::vector<bool>> differ = differences(costs);
+    const std::vector<std::vector<bool>> differ = different_costs(costs);
     for (std::size_t a = 0; a < costs.size(); ++a) {
       if (std::ranges::none_of(costs[a], [](double cost) { return std::isfinite(cost); })) continue;
       std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[a]};
@@ -331,6 +343,10 @@ void fill_work(const RankingGroup& group, Section& section) {
 
 Sections time_to_error_sections(const Evaluation& evaluation) {
   return per_group(evaluation, "time-to-error", "Time to error", fill_time_to_error);
+}
+
+Sections interval_sections(const Evaluation& evaluation) {
+  return per_group(evaluation, "intervals", "How sure the times are", fill_intervals);
 }
 
 Sections mean_sections(const Evaluation& evaluation) {

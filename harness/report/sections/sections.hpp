@@ -65,6 +65,10 @@ Sections hand_over_sections(const Evaluation& evaluation);
 /// How many scenes each configuration solves to each error, and the median time.
 Sections time_to_error_sections(const Evaluation& evaluation);
 
+/// Intervals of confidence of shares and median times at the error of the verdict, and which methods differ
+/// from the best.
+Sections interval_sections(const Evaluation& evaluation);
+
 /// Shifted geometric means, PAR2 and shares of the joint performance profile, with its figure.
 Sections mean_sections(const Evaluation& evaluation);
 

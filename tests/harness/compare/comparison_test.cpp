@@ -94,6 +94,16 @@ TEST(CompareRuns, SeesAMethodThatIsTwentyPercentSlower) {
   EXPECT_EQ(others, 0);
 }
 
+TEST(CompareRuns, SeesNoChangeOfAMethodThatIsTwoPercentSlower) {
+  Machine machine(5);
+  const Slowdown slowdown = [](const Record& r) { return r.method == "method-2" ? 1.02 : 1.0; };
+  constexpr int kRepeats = 40;
+  int alarms = 0;
+  for (int i = 0; i < kRepeats; ++i)
+    alarms += anything_significant(compare_runs(machine.run(), machine.run(3, slowdown))) ? 1 : 0;
+  EXPECT_LE(alarms, kRepeats / 20);
+}
+
 TEST(CompareRuns, SeesOneCaseThatIsTwentyPercentSlower) {
   Machine machine(3);
   const std::string slow = "scene-7/method-4[n=10]";

@@ -108,8 +108,9 @@ TEST(RankingSections, SayWhereTheShiftDecidesTheOrder) {
   EXPECT_NE(note().find("the same with all three shifts"), std::string::npos) << note();
 }
 
-// Times of twelve scenes that vary by a factor of 100 between scenes and by 3 % of noise.
-std::vector<std::string> pair_row(double factor) {
+// Times of twelve scenes that vary by a factor of 100 between scenes and by 3 % of noise, of b those of a
+// times a factor.
+std::vector<Section> sections_of_pair(double factor) {
   std::vector<Record> records;
   for (int i = 0; i < 12; ++i) {
     const std::string scene = "s" + std::to_string(i);
@@ -118,13 +119,43 @@ std::vector<std::string> pair_row(double factor) {
     records.push_back(test::good_record(scene, "b", "n=1", 0.001, factor * time * noise));
     records.push_back(test::good_record(scene, "c", "n=1", 0.001, 50.0 * time));
   }
-  return row_of(sections_of(Evaluation(records)), "pairs-1", {"1e-02", "a"});
+  return sections_of(Evaluation(records));
+}
+
+std::vector<std::string> pair_row(double factor) {
+  return row_of(sections_of_pair(factor), "pairs-1", {"1e-02", "a"});
 }
 
 TEST(RankingSections, TellADifferenceFromChance) {
   EXPECT_EQ(pair_row(1.2)[3], "100 % (0.83)");
   EXPECT_NE(pair_row(1.02)[3].find(" ="), std::string::npos) << pair_row(1.02)[3];
   EXPECT_EQ(pair_row(1.2)[4], "100 % (0.02)");
+}
+
+// A method made 20 % slower is told apart from the best, one made 2 % slower is not.
+TEST(RankingSections, SayHowSureSharesAndTimesAre) {
+  // Twelve times 10^(i / 6) s: the median is the mean of 6.81 s and 10 s. Wilson's interval of 12 of 12
+  // begins at 1 / (1 + 1.96^2 / 12). That a sample of 12 draws has its 6th smallest value at most the 3rd of
+  // all has the probability 5.4 %, at most the 2nd 0.79 %; the ends of the median's interval are so the 3rd
+  // and the 10th.
+  const std::vector<Section> slower = sections_of_pair(1.2), alike = sections_of_pair(1.02);
+  EXPECT_EQ(row_of(slower, "intervals-1", {"a"}),
+            (std::vector<std::string>{"a", "12 of 12", "76 to 100 %", "8.41 s", "2.15 s to 31.6 s", "-"}));
+  EXPECT_EQ(row_of(slower, "intervals-1", {"b"})[5], "1.2 times as long");
+  EXPECT_EQ(row_of(alike, "intervals-1", {"b"})[5], "no difference");
+  EXPECT_EQ(row_of(alike, "intervals-1", {"c"})[5], "50 times as long");
+}
+
+TEST(RankingSections, SayHowManyScenesFewerAMethodSolvesThanTheBest) {
+  std::vector<Record> records;
+  for (int i = 0; i < 12; ++i) {
+    const std::string scene = "s" + std::to_string(i);
+    records.push_back(test::good_record(scene, "a", "n=1", 0.001, 1.0));
+    records.push_back(test::good_record(scene, "b", "n=1", i < 4 ? 0.001 : 0.05, 2.0));
+  }
+  EXPECT_EQ(row_of(sections_of(Evaluation(records)), "intervals-1", {"b"}),
+            (std::vector<std::string>{"b", "4 of 12", "14 to 61 %", "not reached", "2 s to not reached",
+                                      "2 times as long, 8 fewer solved"}));
 }
 
 TEST(RankingSections, CountTargetsReachedWithinATime) {
