@@ -11,6 +11,7 @@
 #include "harness/build_info.hpp"
 #include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
+#include "harness/doctor/calibration.hpp"
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/scene_choice.hpp"
@@ -94,6 +95,9 @@ nlohmann::ordered_json manifest_of(const RunArguments& arguments, const Suite& s
     if (!entry.plugin.empty()) manifest["plugins"][entry.name] = entry.plugin;
   }
   if (arguments.shard) manifest["shard"] = *arguments.shard;
+  if (build_may_be_timed())
+    manifest["calibration"] = {
+        {"version", kCalibrationVersion}, {"seconds", calibration_seconds()}, {"solves", kCalibrationSolves}};
   return manifest;
 }
 

@@ -89,6 +89,16 @@ std::string why_not_comparable(const Json& manifest) {
   return manifest.value("times_comparable", true) ? "" : "its manifest says so";
 }
 
+std::optional<double> times_factor(const Json& there, const Json& here) {
+  static const Json::json_pointer kVersion("/calibration/version"), kSeconds("/calibration/seconds");
+  for (const Json* manifest : {&there, &here})
+    if (!manifest->contains(kVersion) || !manifest->contains(kSeconds)) return std::nullopt;
+  if (there.at(kVersion) != here.at(kVersion)) return std::nullopt;
+  constexpr double kMost = 1e6;
+  const double factor = there.at(kSeconds).get<double>() / here.at(kSeconds).get<double>();
+  return factor <= kMost && factor * kMost >= 1.0 ? std::optional(factor) : std::nullopt;
+}
+
 void note_times(Json& manifest, const std::string& before) {
   manifest.erase("times_not_comparable");
   manifest["times_comparable"] = true;

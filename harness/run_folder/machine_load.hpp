@@ -39,4 +39,9 @@ void close_manifest(const std::filesystem::path& folder, const std::string& star
 /// they are comparable, as far as the manifest tells.
 std::string why_not_comparable(const nlohmann::ordered_json& manifest);
 
+/// What times of a run are multiplied by to stand beside those of a run on another machine: the ratio of the
+/// times that the calibration solve took there and here, by their manifests [-]. Nothing unless both have the
+/// time of one version of it, or where the ratio is beyond 1e6.
+std::optional<double> times_factor(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here);
+
 }  // namespace signorini

@@ -53,6 +53,12 @@ bool is_count(const Json& value) {
 
 bool is_duration(const Json& value) { return value.is_number() && value >= 0; }
 
+// A calibration solve takes milliseconds, and times are multiplied by ratios of such times.
+bool is_scale(const Json& value) {
+  constexpr double kLeast = 1e-6, kMost = 1e6;
+  return value.is_number() && value >= kLeast && value <= kMost;
+}
+
 bool is_switch(const Json& value) { return value.is_boolean(); }
 
 bool is_suite(const Json& value) {
@@ -87,6 +93,7 @@ constexpr const char* kText = "must be a text";
 constexpr const char* kCount = "must be a whole number, 1..1e9";
 constexpr const char* kDuration = "must be a number >= 0";
 constexpr const char* kObject = "must be an object";
+constexpr const char* kScale = "must be a number in 1e-6..1e6";
 
 // Of a run, and of each shard of a merge.
 constexpr std::array kOfShard{
@@ -102,6 +109,7 @@ constexpr std::array kOfShard{
 constexpr std::array kOfNamedRun{
     Rule{"/name", is_text, kText},
     Rule{"/times_left_out", is_text, kText},
+    Rule{"/times_multiplied_by", is_scale, kScale},
 };
 
 constexpr std::array kOfRun{
@@ -136,6 +144,10 @@ constexpr std::array kOfRun{
     Rule{"/machine/load", is_list_of<is_number>, "must be a list of numbers"},
     Rule{"/machine/load_end", is_list_of<is_number>, "must be a list of numbers"},
     Rule{"/machine/running", is_duration, kDuration},
+    Rule{"/calibration", is_object, kObject},
+    Rule{"/calibration/version", is_count, kCount},
+    Rule{"/calibration/seconds", is_scale, kScale},
+    Rule{"/calibration/solves", is_count, kCount},
     Rule{"/plugins", is_table_of_methods, "must be an object of texts, by names of methods"},
     Rule{"/sweep", is_object, kObject},
     Rule{"/shards", is_list_of<is_object>, "must be a list of objects"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,23 +26,34 @@ using Json = nlohmann::ordered_json;
 
 struct NamedRun {
   std::string name = {};
-  RunFolder folder = {};         ///< description alone
+  fs::path place = {};
+  RunFolder folder = {};         ///< description alone; its path is the name, for messages and the page
   std::string hides_times = {};  ///< why; empty where its times may stand beside those of the first
+  double factor = 1.0;           ///< that its times are multiplied by
+
+  /// Settles what becomes of its times beside those of the first run.
+  void stand_beside(const NamedRun& first) {
+    const std::optional<std::string> difference = machine_difference(first.folder, folder);
+    if (!difference) return;
+    const std::optional<double> ratio = times_factor(first.folder.manifest, folder.manifest);
+    factor = ratio.value_or(1.0);
+    if (!ratio) hides_times = *difference + ", and not both runs have a time of the same calibration solve";
+  }
 };
 
 std::vector<NamedRun> named_runs(std::span<const fs::path> folders) {
   std::vector<NamedRun> runs;
   for (const fs::path& path : folders) {
-    NamedRun run{.name = run_name(path), .folder = read_description(path)};
+    NamedRun run{.name = run_name(path), .place = path, .folder = read_description(path)};
+    run.folder.path = run.name;
     for (const NamedRun& other : runs) {
       if (other.name == run.name)
         throw UsageError(
             fmt::format("dirs = {} (must have another name than {}: tables tell runs apart by it)",
-                        path.string(), other.folder.path.string()));
+                        path.string(), other.place.string()));
     }
     run.hides_times = why_not_comparable(run.folder.manifest);
-    if (run.hides_times.empty() && !runs.empty())
-      run.hides_times = machine_difference(runs.front().folder, run.folder).value_or("");
+    if (run.hides_times.empty() && !runs.empty()) run.stand_beside(runs.front());
     runs.push_back(std::move(run));
   }
   return runs;
@@ -68,16 +80,27 @@ Json manifest_of(std::span<const NamedRun> runs) {
   Json list = Json::array();
   for (const NamedRun& run : runs) {
     Json entry{{"name", run.name}};
-    for (const char* key : {"date", "command_line", "machine", "build"}) {
+    for (const char* key : {"date", "command_line", "machine", "build", "calibration"}) {
       if (run.folder.manifest.contains(key)) entry[key] = run.folder.manifest[key];
     }
     if (!run.hides_times.empty()) entry["times_left_out"] = run.hides_times;
+    if (run.factor != 1.0) entry["times_multiplied_by"] = run.factor;
     list.push_back(std::move(entry));
     join_plugins(manifest, run.folder.manifest);
   }
   for (const char* key : {"date", "command_line"}) manifest.erase(key);
   manifest["runs"] = std::move(list);
   return manifest;
+}
+
+void multiply(double factor, Seconds& seconds) {
+  for (double* time : {&seconds.median, &seconds.min, &seconds.mad, &seconds.setup, &seconds.solve})
+    *time *= factor;
+  for (TimedRound& round : seconds.rounds) {
+    round.setup *= factor;
+    round.solve *= factor;
+  }
+  if (seconds.exchange) *seconds.exchange *= factor;
 }
 
 }  // namespace
@@ -89,12 +112,13 @@ void put_side_by_side(std::span<const fs::path> folders, const fs::path& out) {
   std::vector<PlannedCase> plan;
   write_whole(out / "records.jsonl", [&](const TextSink& sink) {
     for (const NamedRun& run : runs) {
-      for (Record& record : read_current_records(run.folder.path)) {
+      for (Record& record : read_current_records(run.place)) {
         scenes.require_same(record, run);
         record.run = run.name;
         record.case_id += fmt::format(" ({})", run.name);
         record.key = sha256(record.key + "\n" + run.name);
         if (!run.hides_times.empty()) record.seconds.reset();
+        if (record.seconds) multiply(run.factor, *record.seconds);
         plan.push_back({.key = record.key, .case_id = record.case_id, .method = record.method});
         sink(json_text(to_json(record)) + "\n");
       }
@@ -104,13 +128,21 @@ void put_side_by_side(std::span<const fs::path> folders, const fs::path& out) {
   write_plan(out, plan);
 }
 
-std::string times_left_out(const Json& manifest) {
+std::string remarks_on_times(const Json& manifest) {
   std::vector<std::string> sentences;
   if (!manifest.contains("runs")) return {};
   for (const Json& run : manifest["runs"]) {
+    const std::string name = run.value("name", "a run");
     if (run.contains("times_left_out"))
-      sentences.push_back(fmt::format("Times of {} are left out: {}.", run.value("name", "a run"),
-                                      run["times_left_out"].get<std::string>()));
+      sentences.push_back(
+          fmt::format("Times of {} are left out: {}.", name, run["times_left_out"].get<std::string>()));
+    else if (run.contains("times_multiplied_by"))
+      sentences.push_back(
+          fmt::format("Times of {} are multiplied by {:.3g}, the ratio of the times of a calibration solve "
+                      "on the machine "
+                      "of {} and on its own.",
+                      name, run["times_multiplied_by"].get<double>(),
+                      manifest["runs"].front().value("name", "the first")));
   }
   return joined(sentences, " ");
 }

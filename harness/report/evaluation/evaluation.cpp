@@ -47,8 +47,8 @@ std::string times_remark_of(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "manifest.json";
   if (!std::filesystem::exists(file)) return {};
   const nlohmann::ordered_json manifest = read_manifest(file);
-  const std::string left_out = times_left_out(manifest);
-  if (!left_out.empty()) return left_out;
+  const std::string remarks = remarks_on_times(manifest);
+  if (!remarks.empty()) return remarks;
   const std::string why = why_not_comparable(manifest);
   return why.empty() ? why : "Times of this run are not comparable: " + why + ".";
 }

@@ -47,7 +47,8 @@ class Evaluation {
   /// Time limit of set-up and first solve [s].
   [[nodiscard]] double time_limit() const { return time_limit_; }
 
-  /// Why times of this run are not comparable, a sentence; empty where they are, as far as is known.
+  /// What must be said of the times of this run, sentences: why they are not comparable; of runs side by side
+  /// whose are left out or multiplied. Empty where they are comparable, as far as is known.
   [[nodiscard]] const std::string& times_remark() const { return times_remark_; }
 
   /// All configurations, sorted.

@@ -32,6 +32,17 @@ TEST(LoadShare, IsThatOfOthersOverTheProcessorsLeftToThem) {
   EXPECT_GT(load_share(2.0, 1, 1, 1), 1.0);
 }
 
+TEST(TimesFactor, IsTheRatioOfTheCalibrationsWhereBothAreOfOneVersion) {
+  const auto with = [](double seconds, int version) {
+    return Json{{"calibration", {{"version", version}, {"seconds", seconds}}}};
+  };
+  EXPECT_DOUBLE_EQ(times_factor(with(2e-3, 1), with(5e-3, 1)).value(), 0.4);
+  EXPECT_FALSE(times_factor(with(2e-3, 1), with(5e-3, 2)));
+  EXPECT_FALSE(times_factor(with(2e-3, 1), Json::object()));
+  EXPECT_FALSE(times_factor(Json::object(), with(2e-3, 1)));
+  EXPECT_FALSE(times_factor(with(1e6, 1), with(1e-6, 1)));
+}
+
 Json manifest(const Json& machine, int jobs = 1) {
   return {
       {"jobs", jobs}, {"times_comparable", true}, {"build", {{"timings_count", true}}}, {"machine", machine}};

@@ -37,6 +37,7 @@ TEST(ManifestCheck, TakesWhatRunAndMergeWrite) {
   EXPECT_EQ(complaint(make_manifest({.name = "quick"}, {}, {}, {"signorini", "run"})), "");
   EXPECT_EQ(complaint("/plugins", {{"my-method", "0123"}}), "");
   EXPECT_EQ(complaint("/shard", "2/3"), "");
+  EXPECT_EQ(complaint("/calibration", {{"version", 1}, {"seconds", 2e-3}, {"solves", 25}}), "");
   EXPECT_EQ(complaint("/shards", Json::array({{{"date", "a"}, {"shard", "1/2"}, {"load", nullptr}}})), "");
   EXPECT_EQ(complaint(std::string("{}")), "");
 }
@@ -80,6 +81,10 @@ TEST(ManifestCheck, RefusesMembersOfAnotherTypeOrRange) {
   EXPECT_EQ(complaint("/shards", Json::array({Json::object(), {{"load", "0"}}})),
             "m.json: shards[1].load = \"0\" (must be a list of numbers)");
   EXPECT_EQ(complaint("/schema", 2), "m.json: schema = 2 (must be 1)");
+  EXPECT_EQ(complaint("/calibration/seconds", 0.0),
+            "m.json: calibration.seconds = 0.0 (must be a number in 1e-6..1e6)");
+  EXPECT_EQ(complaint("/runs", Json::array({{{"times_multiplied_by", -1.0}}})),
+            "m.json: runs[0].times_multiplied_by = -1.0 (must be a number in 1e-6..1e6)");
   for (const char* place : {"/seed", "/times_comparable", "/limits", "/build", "/machine", "/build/sources",
                             "/machine/processors", "/machine/load", "/command_line", "/order", "/date",
                             "/limits/repetitions", "/plugins", "/shards", "/build/dirty"})
