@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kHelpColumns = 80, kHelpIndent = 24;
 
-constexpr std::array<CommandExample, 26> kExamples{{
+constexpr std::array<CommandExample, 30> kExamples{{
     {"list", "signorini list scenes", "the scenes that ship, one a line"},
     {"list", "signorini list scenes 'beam*'", "some of them, by name or tag"},
     {"show", "signorini show hat-lcp", "the options of a method"},
@@ -35,8 +35,14 @@ constexpr std::array<CommandExample, 26> kExamples{{
     {"run", "signorini run quick --scenes own.toml:'sdof*' --methods 'hat-lcp:exact-orbit'",
      "two methods on a scene of one's own and some that ship"},
     {"report", "signorini report results/local-quick --format html", "a page with figures"},
+    {"report", "signorini report results/mine theirs.tar.gz --out results/both --format html",
+     "a run of one's own and a pack of somebody else's on one page"},
     {"compare", "signorini compare results/before results/after", "what got slower or less accurate"},
+    {"history", "signorini history results/2026-* --plot history.svg", "what has become better, run by run"},
     {"verify", "signorini verify results/references", "whether kept orbits are found again"},
+    {"verify", "signorini verify theirs.tar.gz --plugin march.toml",
+     "whether what others measured comes out here"},
+    {"pack", "signorini pack results/mine --out mine.tar.gz", "a run as one file, for others"},
     {"doctor", "signorini doctor", "before times are measured"},
     {"new", "signorini new scene my-scene", "a template of a scene"},
     {"new method", "signorini new method my-method --python", "a template of a method in Python"},
@@ -57,7 +63,7 @@ struct CommandGroup {
 
 constexpr std::array<CommandGroup, 4> kGroups{{
     {"Use", "list show solve orbits motion sweep reduce completion man "},
-    {"Judge", "run report compare verify doctor "},
+    {"Judge", "run report compare history verify pack doctor "},
     {"Extend", "new check "},
     {"Cluster", "submit status merge "},
 }};

@@ -38,6 +38,7 @@ void add_run_command(const Command& program, int& exit_code, const std::vector<s
 void add_status_command(const Command& program, int& exit_code);
 void add_merge_command(const Command& program, int& exit_code);
 void add_compare_command(const Command& program, int& exit_code);
+void add_history_command(const Command& program, int& exit_code);
 void add_submit_command(const Command& program, int& exit_code);
 void add_check_command(const Command& program, int& exit_code);
 void add_new_command(const Command& program, int& exit_code);
@@ -46,6 +47,7 @@ void add_doctor_command(const Command& program, int& exit_code);
 void add_completion_command(const Command& program, int& exit_code);
 void add_man_command(const Command& program, int& exit_code);
 void add_report_command(const Command& program, int& exit_code);
+void add_pack_command(const Command& program, int& exit_code);
 void add_orbits_command(const Command& program, int& exit_code);
 void add_motion_command(const Command& program, int& exit_code);
 void add_reduce_command(const Command& program, int& exit_code);

@@ -3,12 +3,15 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/compare/comparison.hpp"
 #include "harness/failure.hpp"
+#include "harness/pack/run_pack.hpp"
 #include "harness/table.hpp"
 #include "harness/text/columns.hpp"
 
@@ -44,20 +47,36 @@ void print_changes(const Comparison& comparison) {
              comparison.changes.size());
 }
 
-int compare(const std::string& before, const std::string& after) {
-  const Comparison comparison = compare_runs(read_whole_run(before), read_whole_run(after));
-  if (comparison.cases == 0)
-    throw NothingMatched(fmt::format("dirs = {} {} (have no case in common)", before, after));
-  print_methods(comparison.methods);
-  print_changes(comparison);
-  return has_regression(comparison) ? kRegression : kDone;
+/// A run from a folder or a pack, which messages name as it was named here.
+WholeRun read_named_run(const std::string& place) {
+  WholeRun run = read_whole_run(OpenedRun(place).folder());
+  run.folder.path = place;
+  return run;
+}
+
+/// Compares each of the later runs with the first.
+int compare(const std::string& before, const std::vector<std::string>& after) {
+  const WholeRun first = read_named_run(before);
+  int code = kDone;
+  for (const std::string& later : after) {
+    const Comparison comparison = compare_runs(first, read_named_run(later));
+    if (comparison.cases == 0)
+      throw NothingMatched(fmt::format("dirs = {} {} (have no case in common)", before, later));
+    if (after.size() > 1)
+      fmt::print("{}{} beside {}:\n\n", later == after.front() ? "" : "\n", later, before);
+    print_methods(comparison.methods);
+    print_changes(comparison);
+    if (has_regression(comparison)) code = kRegression;
+  }
+  return code;
 }
 
 }  // namespace
 
 void add_compare_command(const Command& program, int& exit_code) {
   struct Arguments {
-    std::string before, after;
+    std::string before;
+    std::vector<std::string> after;
   };
   const Command command = program.command(
       "compare", fmt::format("What got slower, less accurate or broken from one run to another, beyond the "
@@ -65,13 +84,13 @@ void add_compare_command(const Command& program, int& exit_code) {
                              "slower if minimum and median of its time grew by {:.0f} % ({:.0f} % with fewer "
                              "than {} rounds) and by more "
                              "than the error bars of both runs explain; a method if its cases as a whole "
-                             "did, by {:.0f} %. Exit code 4 "
-                             "for a regression.",
+                             "did, by {:.0f} %. Of several new "
+                             "runs each is compared with the first. Exit code 4 for a regression of any.",
                              100.0 * (kCaseFactor - 1.0), 100.0 * (kCaseFactorFewRounds - 1.0), kManyRounds,
                              100.0 * (kMethodFactor - 1.0)));
   const auto arguments = std::make_shared<Arguments>();
-  command.option("before", arguments->before, "folder of the run of before").required();
-  command.option("after", arguments->after, "folder of the new run").required();
+  command.option("before", arguments->before, "folder of the run of before, or a pack").required();
+  command.option("after", arguments->after, "folders of the new runs, or packs").required();
   command.on_run([arguments, &exit_code] { exit_code = compare(arguments->before, arguments->after); });
 }
 

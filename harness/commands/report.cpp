@@ -10,6 +10,7 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
+#include "harness/pack/run_pack.hpp"
 #include "harness/report/formats/screen.hpp"
 #include "harness/run_folder/merge.hpp"
 #include "harness/run_folder/run_folder.hpp"
@@ -47,17 +48,20 @@ void require_records(const std::filesystem::path& folder) {
 
 /// The folder to report on: that of the run, or of several side by side.
 std::filesystem::path folder_of(const ReportArguments& arguments) {
-  for (const std::string& folder : arguments.folders) require_records(folder);
-  if (arguments.folders.size() == 1) {
+  const std::vector<OpenedRun> runs = opened_runs(arguments.folders);
+  std::vector<std::filesystem::path> folders;
+  for (const OpenedRun& run : runs) folders.push_back(run.folder());
+  std::ranges::for_each(folders, require_records);
+  if (runs.size() == 1 && !runs.front().was_packed()) {
     if (arguments.out)
       throw UsageError("out = " + *arguments.out +
                        " (is for several runs: a report stands in the folder of its run)");
-    return arguments.folders.front();
+    return folders.front();
   }
-  if (!arguments.out) throw UsageError("out = missing (must be the folder for the page of several runs)");
+  if (!arguments.out)
+    throw UsageError("out = missing (must be the folder for the page of several runs, or of a pack)");
   require_no_run(*arguments.out);
-  put_side_by_side(std::vector<std::filesystem::path>(arguments.folders.begin(), arguments.folders.end()),
-                   *arguments.out);
+  put_side_by_side(folders, *arguments.out);
   return *arguments.out;
 }
 
@@ -87,12 +91,12 @@ void add_report_command(const Command& program, int& exit_code) {
   const auto arguments = std::make_shared<ReportArguments>();
   command
       .option("dir", arguments->folders,
-              "folder with records.jsonl; several: one report of all, their methods with the names of the "
-              "folders")
+              "folder with records.jsonl, or file that pack made; several: one report of all, their methods "
+              "with the names of the folders and files, times of other machines scaled")
       .required();
   command.option("--out", arguments->out,
-                 "of several runs: folder of their records side by side and of the report, new or of an "
-                 "earlier such report");
+                 "of several runs, or of a pack: folder of their records side by side and of the report, new "
+                 "or of an earlier such report");
   command
       .option(
           "--format", arguments->formats,

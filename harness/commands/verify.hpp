@@ -11,7 +11,7 @@ namespace signorini {
 
 /// The command line of `signorini verify`.
 struct VerifyArguments {
-  std::optional<std::string> folder;  ///< of references or of a run
+  std::optional<std::string> folder;  ///< of references or of a run, or a pack
   std::optional<std::string> scenes;  ///< filter of scenes
   std::string cases = "*";            ///< filter of the cases of a run
   OrbitSearchOptions options;         ///< of the search that --update makes

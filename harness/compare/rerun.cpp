@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "harness/compare/response_change.hpp"
 #include "harness/failure.hpp"
@@ -22,9 +23,11 @@ namespace {
 
 bool below_bars(const Record& record) { return *record.errors.x_l2 <= measurable_error(record); }
 
-/// Whether the method or the search for the orbit behind its answer ran out of time.
+/// Whether the method or the search for the orbit behind its answer ran out of time. A certified answer did
+/// not, whatever its record says.
 bool ran_out_of_time(const Record& record) {
-  return record.status == Status::timeout || record.certificate.expired.value_or(false);
+  const bool certified = record.certificate.status == CertificateStatus::certified;
+  return record.status == Status::timeout || (!certified && record.certificate.expired.value_or(false));
 }
 
 bool decided_by_time(const Record& kept, const Record& now) {
@@ -38,16 +41,31 @@ std::string status_words(const Record& record) {
   return record.certificate.expired.value_or(false) ? status + ", uncertified for want of time" : status;
 }
 
-/// The case that a record came from.
-Case case_of(const Record& record, const Scene& scene, std::span<const MethodEntry> catalogue) {
-  const auto entry =
-      std::ranges::find_if(catalogue, [&](const MethodEntry& one) { return one.name == record.method; });
-  if (entry == catalogue.end()) throw no_method(resolution_of(record), catalogue);
-  const MethodChoice choice{&*entry, record.settings};
+/// The case that a record came from. \throws InvalidOption
+Case case_of(const Record& record, const Scene& scene, const MethodEntry& entry) {
+  const MethodChoice choice{&entry, record.settings};
   if (!record.response) return make_case(scene, 0, choice);
   const ResponseQuestion& question = record.response->question;
   return question.way == ResponseWay::exact ? exact_case(scene, 0, question)
                                             : response_case(scene, 0, choice, question);
+}
+
+/// The same where it can be run here; otherwise counts it as left out.
+std::optional<Case> case_here(const Record& record, const Scene& scene,
+                              std::span<const MethodEntry> catalogue, Rerun& result) {
+  const auto entry =
+      std::ranges::find_if(catalogue, [&](const MethodEntry& one) { return one.name == record.method; });
+  if (entry == catalogue.end()) {
+    ++result.left_out[fmt::format("no method {} is here; --plugin loads those of others", record.method)];
+    return std::nullopt;
+  }
+  if (entry->plugin != record.plugin) result.other_plugins.insert(record.method);
+  try {
+    return case_of(record, scene, *entry);
+  } catch (const InvalidOption& error) {
+    ++result.left_out[fmt::format("{} takes other options here: {}", record.method, error.what())];
+    return std::nullopt;
+  }
 }
 
 void compare_case(const Record& kept, const Record& now, Rerun& result) {
@@ -72,19 +90,40 @@ void add_exact(const Scene& scene, std::vector<Case>& cases) {
   if (question) cases.push_back(exact_case(scene, 0, *question));
 }
 
+/// The source of a scene; nothing where there is none of that name.
+std::optional<SceneSource> source_here(const std::string& scene) {
+  try {
+    return find_scene(scene);
+  } catch (const SceneError&) {
+    return std::nullopt;
+  }
+}
+
 /// Runs the cases of one scene's records again.
-void rerun_scene(const std::vector<const Record*>& kept, const Limits& limits,
+void rerun_scene(const std::vector<const Record*>& records, const Limits& limits,
                  std::span<const MethodEntry> catalogue, const std::function<void(const std::string&)>& news,
                  Rerun& result) {
-  const Scene scene = read_scene(find_scene(kept.front()->scene));
-  if (scene.sha256 != kept.front()->scene_sha256) {
-    result.differences.push_back(
-        fmt::format("{}: the scene file has changed since the run: {} cases not compared", scene.problem.name,
-                    kept.size()));
+  const std::optional<SceneSource> source = source_here(records.front()->scene);
+  if (!source) {
+    result.left_out[fmt::format("no scene {} is here", records.front()->scene)] += records.size();
     return;
   }
+  const Scene scene = read_scene(*source);
+  if (scene.sha256 != records.front()->scene_sha256) {
+    result.differences.push_back(
+        fmt::format("{}: the scene file has changed since the run: {} cases not compared", scene.problem.name,
+                    records.size()));
+    return;
+  }
+  std::vector<const Record*> kept;
   std::vector<Case> cases;
-  for (const Record* record : kept) cases.push_back(case_of(*record, scene, catalogue));
+  for (const Record* record : records) {
+    std::optional<Case> own = case_here(*record, scene, catalogue, result);
+    if (!own) continue;
+    kept.push_back(record);
+    cases.push_back(std::move(*own));
+  }
+  if (cases.empty()) return;
   add_exact(scene, cases);
   Runner runner(limits);
   ExactResponse exact;

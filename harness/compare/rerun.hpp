@@ -2,7 +2,9 @@
 // Whether the records of a run come out again.
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,13 +38,16 @@ struct Rerun {
   std::vector<std::string> remarks = {};  ///< what a time limit decided
   std::vector<double> time_ratios = {};   ///< new median over old, of each case timed in both
   std::vector<RelativeTime> relative_times = {};
-  std::size_t cases = 0;  ///< run again
+  std::size_t cases = 0;                             ///< run again
+  std::map<std::string, std::size_t> left_out = {};  ///< how many cases cannot be run here, by why not
+  std::set<std::string> other_plugins = {};          ///< methods whose plugin is not the one of the records
   bool interrupted = false;
 };
 
 /// Runs every case again whose name matches the filter, scene by scene; calls `news` before each.
-/// Cases of scenes whose file has changed are one difference each. \throws UsageError, SceneError for cases
-/// that cannot be run
+/// A scene whose file has changed is one difference. Cases of scenes and methods that are not here, and those
+/// with options that their method does not take, are left out. \throws NothingMatched where the filter
+/// matches no case; SceneError for a scene's file that cannot be used
 Rerun rerun_records(const std::vector<Record>& kept, const Limits& limits, const std::string& filter,
                     std::span<const MethodEntry> catalogue,
                     const std::function<void(const std::string& what)>& news);

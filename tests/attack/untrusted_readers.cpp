@@ -14,6 +14,7 @@
 
 #include "harness/extend/plugins/command_method.hpp"
 #include "harness/judge/measures/measures.hpp"
+#include "harness/pack/archive.hpp"
 #include "harness/records/line_file.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
@@ -283,12 +284,27 @@ bool attack_branches(std::string_view text) {
   return accepted;
 }
 
+bool attack_archive(std::string_view text) {
+  try {
+    const std::vector<ArchivedFile> files = read_tar(text);
+    const std::vector<ArchivedFile> again = read_tar(gunzipped(gzipped(write_tar(files)), 2 * text.size()));
+    require(std::ranges::equal(files, again, {}, &ArchivedFile::text, &ArchivedFile::text) &&
+                std::ranges::equal(files, again, {}, &ArchivedFile::name, &ArchivedFile::name),
+            "an archive that is written reads the same");
+    return true;
+  } catch (const BadArchive& refusal) {
+    require_one_line(refusal.what());
+    return false;
+  }
+}
+
 constexpr std::array kReaders{UntrustedReader{.name = "scene", .attack = attack_scene},
                               UntrustedReader{.name = "matrix", .attack = attack_matrix},
                               UntrustedReader{.name = "mesh", .attack = attack_mesh},
                               UntrustedReader{.name = "records", .attack = attack_records},
                               UntrustedReader{.name = "branches", .attack = attack_branches},
-                              UntrustedReader{.name = "answer", .attack = attack_answer}};
+                              UntrustedReader{.name = "answer", .attack = attack_answer},
+                              UntrustedReader{.name = "archive", .attack = attack_archive}};
 
 }  // namespace
 

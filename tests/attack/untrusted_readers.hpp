@@ -27,6 +27,7 @@ struct UntrustedReader {
 /// - records: lines of records, and every table and page that a report makes of them
 /// - branches: lines of branches and steps as sweep keeps them, and the table of them
 /// - answer: what a command prints, and the motion and the measures that the harness takes from it
+/// - archive: a tar archive, as it is in a pack
 std::span<const UntrustedReader> untrusted_readers();
 
 /// The reader of that name. \throws std::out_of_range

@@ -171,6 +171,11 @@ std::vector<std::string>& given() {
   return files;
 }
 
+std::vector<fs::path>& loaded() {
+  static std::vector<fs::path> files;
+  return files;
+}
+
 void load_plugin(const fs::path& file) {
   std::vector<MethodEntry> entries;
   if (file.extension() == ".toml") {
@@ -191,9 +196,12 @@ void load_plugin(const fs::path& file) {
 
 const std::vector<std::string>& given_plugins() { return given(); }
 
+const std::vector<fs::path>& loaded_plugins() { return loaded(); }
+
 void load_plugins(const std::vector<std::string>& files) {
   given() = files;
-  std::vector<fs::path> plugins;
+  std::vector<fs::path>& plugins = loaded();
+  plugins.clear();
   const auto add = [&](const std::string& file) {
     fs::path plugin = found(file);
     if (std::ranges::find(plugins, plugin) == plugins.end()) plugins.push_back(std::move(plugin));

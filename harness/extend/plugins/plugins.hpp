@@ -1,6 +1,7 @@
 #pragma once
 // Methods from outside the tree, from shared objects and commands, added to the catalogue.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,8 @@ void load_plugins(const std::vector<std::string>& files);
 
 /// The files that load_plugins was given, for commands that are printed or started.
 const std::vector<std::string>& given_plugins();
+
+/// All files that load_plugins has loaded, without links and dots.
+const std::vector<std::filesystem::path>& loaded_plugins();
 
 }  // namespace signorini

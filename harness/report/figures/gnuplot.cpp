@@ -16,6 +16,7 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/isolation/temporary_folder.hpp"
 
 namespace signorini {
 
@@ -54,28 +55,6 @@ int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts)
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
-
-/// A folder that is gone when it is no longer needed.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "signorini-figure-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw UsageError(fmt::format("{} (must be a folder for temporary files that can be written)",
-                                   fs::temp_directory_path().string()));
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Names stand in scripts and become files of the folder.
 void require_plain_name(const std::string& name) {

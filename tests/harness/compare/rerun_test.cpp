@@ -54,6 +54,15 @@ TEST(CompareRecords, ReportsAnotherStatusUnlessATimeLimitDecidedIt) {
   EXPECT_TRUE(compare_records(sample(), now).empty());
 }
 
+// Nobody excuses a certificate that does not come out by saying that there was no time for it.
+TEST(CompareRecords, ReportsACertificateThatIsLostWhateverItsRecordSaysOfTime) {
+  Record kept = sample(), now = sample();
+  kept.certificate.expired = true;
+  now.status = Status::inaccurate;
+  now.certificate.status = CertificateStatus::uncertified;
+  EXPECT_EQ(compare_records(kept, now).size(), 1U);
+}
+
 TEST(CompareRecords, ReportsALostCertificateAndALostError) {
   Record now = sample();
   now.certificate.status = CertificateStatus::uncertified;
