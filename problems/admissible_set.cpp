@@ -255,7 +255,55 @@ std::string listed(const Stops& stops) {
   return fmt::format("{} and {}", fmt::join(stops.begin(), stops.end() - 1, ", "), stops.back());
 }
 
+// Whether two bounds along one line are the same.
+bool meet(double a, double b) {
+  return std::abs(a - b) <= kRoundingOfSum * std::max(std::abs(a), std::abs(b));
+}
+
+bool have_one_restitution(const std::vector<Contact>& contacts) {
+  const Restitution* first = nullptr;
+  return std::ranges::all_of(contacts, [&](const Contact& contact) {
+    const auto* law = std::get_if<Restitution>(&contact.law);
+    if (first == nullptr) first = law;
+    return law == nullptr || *law == *first;
+  });
+}
+
 }  // namespace
+
+std::optional<StopConflict> restitution_conflict(const std::vector<Contact>& contacts) {
+  if (have_one_restitution(contacts)) return std::nullopt;
+  struct Stop {
+    int contact = 0;
+    double bound = 0.0, e = 1.0;
+  };
+  std::map<std::pair<std::string, bool>, std::vector<Stop>> sides;  // of lines; their nearest stops
+  for (int j = 0; j < std::ssize(contacts); ++j) {
+    const Contact& contact = contacts[static_cast<std::size_t>(j)];
+    const auto* law = std::get_if<Restitution>(&contact.law);
+    if (law == nullptr) continue;
+    const auto [factor, line] = line_of(contact);
+    const Stop stop{.contact = j, .bound = contact.gap / std::abs(factor), .e = law->e};
+    std::vector<Stop>& nearest = sides[{line, factor > 0.0}];
+    if (!nearest.empty() && !meet(stop.bound, nearest.front().bound)) {
+      if (stop.bound > nearest.front().bound) continue;
+      nearest.clear();
+    }
+    nearest.push_back(stop);
+  }
+  for (const auto& [side, stops] : sides) {
+    const Stop& first = stops.front();
+    const auto rival = std::ranges::find_if(stops, [&](const Stop& stop) { return stop.e != first.e; });
+    if (rival == stops.end()) continue;
+    return StopConflict{
+        .contact = rival->contact,
+        .requirement = fmt::format(
+            "must be {:g} as contact {} has it, or its gap another one: contacts {} and {} stop the "
+            "same motion at the same place, and Newton's law of impact takes one restitution",
+            first.e, first.contact, first.contact, rival->contact)};
+  }
+  return std::nullopt;
+}
 
 std::optional<StopConflict> stop_conflict(std::vector<Contact> contacts) {
   // A spring gives way: far from its stop, on a coordinate of its own, it excludes nothing.

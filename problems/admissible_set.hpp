@@ -1,5 +1,5 @@
 #pragma once
-// Whether rigid stops leave a structure room to move.
+// Whether rigid stops leave a structure room to move, and one law of impact.
 
 #include <optional>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace signorini {
 
-/// Stops that exclude each other.
+/// Stops that exclude or contradict each other.
 struct StopConflict {
   int contact = 0;               ///< one of them, by its number
-  std::string requirement = {};  ///< what is required of its gap, with the numbers of all of them
+  std::string requirement = {};  ///< what is required of its gap or law, with the numbers of all of them
 };
 
 /// Looks for rigid stops that leave no room, where they must: the admissible set {u : w_j^T u <= g_j} has an
@@ -31,5 +31,14 @@ struct StopConflict {
 ///
 /// \return nothing where they leave room
 std::optional<StopConflict> stop_conflict(std::vector<Contact> contacts);
+
+/// Looks for rigid stops that are one stop with two restitutions: normals a w and b w with a b > 0, at
+/// displacements g_a / a and g_b / b that are equal to 1e-12, both nearest to the structure along their line.
+/// Each impact is one of both, and Newton's law asks for two speeds after it. Where the restitutions are
+/// equal the motion is that of one of them, and only its force has no unique distribution. What stands behind
+/// the nearest stop is never touched.
+///
+/// \return nothing where no two contradict each other
+std::optional<StopConflict> restitution_conflict(const std::vector<Contact>& contacts);
 
 }  // namespace signorini

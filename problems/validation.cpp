@@ -243,11 +243,20 @@ void check_room(const Problem& problem) {
                        conflict->requirement);
 }
 
+void check_restitutions(const Problem& problem) {
+  const auto conflict = restitution_conflict(problem.contacts);
+  if (!conflict) return;
+  const ContactLaw& law = problem.contacts[static_cast<std::size_t>(conflict->contact)].law;
+  throw InvalidProblem(fmt::format("contact[{}].restitution", conflict->contact),
+                       fmt::format("{:g}", std::get<Restitution>(law).e), conflict->requirement);
+}
+
 void check_laws(const Problem& problem) {
   if (problem.contacts.empty()) return;
   const std::vector<bool> massive = contacts_with_mass(problem);
   for (std::size_t j = 0; j < problem.contacts.size(); ++j)
     std::visit(ContactLawCheck{problem, massive, j}, problem.contacts[j].law);
+  check_restitutions(problem);
   check_room(problem);
 }
 

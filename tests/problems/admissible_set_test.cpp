@@ -147,5 +147,38 @@ TEST(RoomBetweenStops, IsThatOfARingOfThousandsOfFacets) {
   }
 }
 
+/// The contact that is refused beside others of its place, -1 where none is.
+int rival(const std::vector<Contact>& stops) {
+  const auto conflict = restitution_conflict(stops);
+  return conflict ? conflict->contact : -1;
+}
+
+/// x <= gap along `coefficient` times coordinate 2.
+Contact rigid(double coefficient, double gap, double e) {
+  return {.normal = {{2, coefficient}, {5, 0.0}}, .gap = gap, .law = Restitution{e}};
+}
+
+TEST(RestitutionsOfOnePlace, AreOneWhateverTheLengthOfTheNormals) {
+  EXPECT_EQ(rival({rigid(1.0, 0.2, 0.5), rigid(1.0, 0.2, 0.8)}), 1);
+  EXPECT_EQ(rival({rigid(1.0, 0.3, 0.5), rigid(3.0, 0.9, 0.8)}), 1) << "0.9 / 3 is not 0.3 to the last digit";
+  EXPECT_EQ(rival({rigid(-2.0, -0.4, 0.5), rigid(-1.0, -0.2, 0.8)}), 1) << "a preload";
+  EXPECT_EQ(rival({rigid(1.0, 0.0, 0.5), rigid(2.0, 0.0, 0.5), rigid(1.0, 0.0, 0.0)}), 2);
+  EXPECT_EQ(rival({rigid(1.0, 0.2, 0.5), rigid(2.0, 0.4, 0.5)}), -1) << "equal ones are one stop";
+  EXPECT_EQ(rival({rigid(1.0, 0.2, 0.5), rigid(-1.0, 0.2, 0.8)}), -1) << "on either side";
+  EXPECT_EQ(rival({rigid(1.0, 0.2, 0.5), rigid(1.0, 0.2 + 1e-9, 0.8)}), -1) << "one behind the other";
+}
+
+TEST(RestitutionsOfOnePlace, DoNotMatterBehindANearerStop) {
+  EXPECT_EQ(rival({rigid(1.0, 0.2, 0.5), rigid(1.0, 0.2, 0.8), rigid(1.0, 0.1, 1.0)}), -1);
+  EXPECT_EQ(rival({rigid(1.0, 0.1, 1.0), rigid(1.0, 0.2, 0.5), rigid(1.0, 0.2, 0.8)}), -1);
+  EXPECT_EQ(rival({rigid(1.0, 0.2, 0.5), rigid(1.0, 0.1, 1.0), rigid(1.0, 0.1, 0.8)}), 2);
+}
+
+TEST(RestitutionsOfOnePlace, AreAskedOfRigidStopsAlone) {
+  const Contact spring{.normal = {{2, 1.0}}, .gap = 0.2, .law = Spring{5.0}};
+  EXPECT_EQ(rival({rigid(1.0, 0.2, 0.5), spring, rigid(1.0, 0.3, 0.8)}), -1);
+  EXPECT_EQ(rival({spring, rigid(1.0, 0.2, 0.5), rigid(2.0, 0.4, 0.8)}), 2);
+}
+
 }  // namespace
 }  // namespace signorini::admissible_set_test

@@ -95,5 +95,17 @@ TEST(SceneLaws, RefusesWhatAContactCannotHave) {
             "chain.toml:13: contact[0].between = [0, 1] (must be absent: dof is given)");
 }
 
+TEST(SceneLaws, RefuseTwoRestitutionsAtOnePlace) {
+  const std::string first = "[[contact]]\ndof = 0\ngap = 0.1\nrestitution = 0.8\n";
+  EXPECT_EQ(
+      refusal(first + "[[contact]]\nnormal = [[0, 2.0]]\ngap = 0.2\nrestitution = 0.5\n"),
+      "chain.toml:17: contact[1].restitution = 0.5 (must be 0.8 as contact 0 has it, or its gap another "
+      "one: contacts 0 and 1 stop the same motion at the same place, and Newton's law of impact takes one "
+      "restitution)");
+  EXPECT_EQ(refusal(first + first), "");
+  EXPECT_EQ(refusal(first + "[[contact]]\ndof = 0\ngap = 0.1\npenalty = 5.0\n"), "");
+  EXPECT_EQ(refusal(first + "[[contact]]\ndof = 0\ngap = 0.1\npenalty = 5.0\ndamper = 0.5\n"), "");
+}
+
 }  // namespace
 }  // namespace signorini::scene_laws_test
