@@ -93,7 +93,8 @@ void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options, 
   for (const auto& [reason, count] : found.failures) failed += count;
   fmt::print(stderr, "{} searches, {} of them without an exact motion\n", found.searches, failed);
   for (const auto& [reason, count] : found.failures) fmt::print(stderr, "  {} x {}\n", count, reason);
-  for (const std::string& loss : found.losses) fmt::print(stderr, "  lost: {}\n", loss);
+  for (const auto& [how, names] : found.losses)
+    fmt::print(stderr, "  lost: {} x {} ({})\n", names.size(), how, joined(names, ", "));
   if (found.expired)
     fmt::print(stderr, "the time limit of {:g} s cut the search short: there may be more\n", options.timeout);
   if (found.interrupted) fmt::print(stderr, "interrupted: there may be more\n");

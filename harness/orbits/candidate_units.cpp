@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <utility>
 
 #include "harness/judge/measures/motion.hpp"
@@ -64,12 +65,15 @@ std::optional<CandidateUnit> cold_start(const Problem& problem, const MethodChoi
       choice.label(), [&problem, choice, order](const CandidateUnit::Deliver& deliver, Deadline deadline) {
         OrbitCandidate candidate{
             .origin = OrbitCandidate::Origin::method, .source = choice.label(), .order = order};
-        // Exceptions of the method leave the unit: its process ends, and the parent takes note.
         const Problem at = with_subharmonic(problem, order);
         const Deadline limit = Deadline::first_of(deadline, Deadline::after(kMethodSeconds));
         const std::unique_ptr<Method> method = choice.make();
-        const Solution solution = method->prepare(at)->solve({.guess = {}, .deadline = limit});
-        take_answer(at, solution, limit, candidate);
+        try {
+          const Solution solution = method->prepare(at)->solve({.guess = {}, .deadline = limit});
+          take_answer(at, solution, limit, candidate);
+        } catch (const std::runtime_error& error) {  // a resonance, or a mean load that nothing balances
+          candidate.reason = error.what();
+        }  // What else a method throws leaves the unit: its process ends, and the parent takes note.
         deliver(candidate);
       }};
 }

@@ -56,6 +56,7 @@ void take_search(const OrbitSearch& search, OrbitCandidate& candidate) {
 
 SearchOptions search_until(Deadline deadline) {
   SearchOptions options;
+  options.free_families = FreeFamilies::last;
   options.expired = [deadline] { return deadline.passed(); };
   return options;
 }

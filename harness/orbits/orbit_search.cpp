@@ -40,6 +40,22 @@ OrbitGuess first_period(OrbitGuess orbit, double period) {
   return orbit;
 }
 
+/// A motion without the place of what it does not touch. Of a family of motions in which free parts may be
+/// anywhere one is told: those that agree in all else differ by a motion that no force holds in its place.
+Motion without_place(Motion motion) {
+  constexpr double kRounding = 1e-12;  // of the place
+  std::vector<bool> touched(static_cast<std::size_t>(motion.samples.x.cols()), false);
+  for (const Impulse& impulse : motion.impulses) touched[static_cast<std::size_t>(impulse.contact)] = true;
+  for (Eigen::Index j = 0; j < motion.samples.x.cols(); ++j) {
+    if (touched[static_cast<std::size_t>(j)] || !motion.samples.force.col(j).isZero(0.0)) continue;
+    auto x = motion.samples.x.col(j);
+    const double rest = kRounding * x.cwiseAbs().maxCoeff();
+    x.array() -= x.mean();
+    if (x.cwiseAbs().maxCoeff() <= rest) x.setZero();
+  }
+  return motion;
+}
+
 class OrbitCollection {
  public:
   OrbitCollection(const Problem& problem, const OrbitPolisher& polish, Deadline deadline)
@@ -56,7 +72,7 @@ class OrbitCollection {
       ++result.failures[describe(search.orbit.outcome)];
       return;
     }
-    const Motion motion = sample_motion(problem_, *search.orbit.trajectory, kCompared);
+    const Motion motion = compared(*search.orbit.trajectory);
     for (std::size_t i = 0; i < motions_.size(); ++i) {
       if (same_orbit(motion, motions_[i])) return credit(result.orbits[i], candidate);
     }
@@ -78,19 +94,24 @@ class OrbitCollection {
     FoundOrbit found = describe_orbit(problem_, problem_.subharmonic, std::move(checked));
     found.from_rest = true;
     found.starts = 1;
-    motions_.push_back(sample_motion(problem_, *found.certified.motion, kCompared));
+    motions_.push_back(compared(*found.certified.motion));
     result.orbits.push_back(std::move(found));
   }
 
   SceneOrbits result;
 
  private:
+  [[nodiscard]] Motion compared(const Trajectory& orbit) const {
+    return without_place(sample_motion(problem_, orbit, kCompared));
+  }
+
   OrbitSearch solve(const OrbitGuess& guess, int order) {
     std::unique_ptr<OrbitFinder>& finder = finders_[order];
     if (!finder) finder = std::make_unique<OrbitFinder>(with_subharmonic(problem_, order));
     SearchOptions options;
     options.rounds = 0;
     options.shootings = 0;
+    options.free_families = FreeFamilies::first;
     return finder->find(guess, options);
   }
 
@@ -111,7 +132,7 @@ class OrbitCollection {
       return;
     }
     FoundOrbit found = describe_orbit(problem_, order, std::move(checked));
-    motions_.push_back(sample_motion(problem_, *found.certified.motion, kCompared));
+    motions_.push_back(compared(*found.certified.motion));
     credit(found, candidate);
     result.orbits.push_back(std::move(found));
   }
@@ -147,7 +168,7 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
   for (std::size_t i = 0; i < units.size(); ++i) {
     for (const std::string& line : ends[i].lines) collection.add(orbit_candidate_from_json(parse_json(line)));
     if (ends[i].kind != ChildEnd::Kind::finished && ends[i].kind != ChildEnd::Kind::interrupted)
-      collection.result.losses.push_back(fmt::format("{}: {}", units[i].name, describe(ends[i])));
+      collection.result.losses[describe(ends[i])].push_back(units[i].name);
   }
 }
 

@@ -46,7 +46,8 @@ struct SceneOrbits {
   std::vector<FoundOrbit> orbits = {};       ///< by order, stable ones first, then by amplitude, larger first
   int searches = 0;                          ///< starts that reported back
   std::map<std::string, int> failures = {};  ///< why starts led to no certified orbit, and how many
-  std::vector<std::string> losses = {};      ///< processes that ended before their work did
+  /// Processes that ended before their work did: how, and the names of those that ended so.
+  std::map<std::string, std::vector<std::string>> losses = {};
   bool expired = false;                      ///< the time limit cut the search short
   bool interrupted = false;                  ///< SIGINT did
 };
@@ -56,10 +57,10 @@ using SearchProgress = std::function<void(int order)>;
 
 /// Searches order by order: every start of `candidate_units` in a process of its own, two at a time; each
 /// admissible orbit found is compared with those known (`same_orbit`: shifts by forcing periods and
-/// repetitions at multiples of an order are the same), brought to its least period, and certified by `polish`
-/// (exact, confirmed by CVODE). What is not certified is not listed, but counted in `failures`. Of structures
-/// too large for a closed form the orbit of `reduced_orbits` comes first; those too large to be followed
-/// through time have no others.
+/// repetitions at multiples of an order are the same, and the members of a family in which free parts may be
+/// anywhere), brought to its least period, and certified by `polish` (exact, confirmed by CVODE). What is not
+/// certified is not listed, but counted in `failures`. Of structures too large for a closed form the orbit of
+/// `reduced_orbits` comes first; those too large to be followed through time have no others.
 ///
 /// Deterministic for given options, scene and program as long as no time limit strikes (10 s for a method's
 /// solve, 2 s for a random state, that of the options for all).

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "methods/orbit/family_inverse.hpp"
 #include "methods/periodic_motion/period_map.hpp"
 #include "methods/structure/rigid_motions.hpp"
 
@@ -30,11 +31,15 @@ class OrbitFinder::Search {
     return std::move(result_);
   }
 
+  // The first motion tried that touches nothing, if there is one.
+  [[nodiscard]] const std::optional<OrbitGuess>& free() const { return free_; }
+
  private:
   // True if the search has come to its end: an orbit is found, contacts close that were taken for open, or
   // the time is up.
   bool attempt(const OrbitGuess& guess) {
     if (options_.expired()) return true;
+    if (!free_ && !touches(guess)) free_ = guess;
     ExactOrbit orbit;
     // More is rattling that the flow does not resolve; the work of the dense equations grows with their cube.
     if (guess.events.size() <= kMostEvents) {
@@ -119,6 +124,7 @@ class OrbitFinder::Search {
   const SearchOptions& options_;
   OrbitSearch result_;
   std::optional<FlowState> last_;  // section state of the last equations solved
+  std::optional<OrbitGuess> free_;
 };
 
 OrbitFinder::OrbitFinder(const Problem& problem) {
@@ -132,28 +138,28 @@ OrbitFinder::OrbitFinder(const Problem& problem, CondensedStructure condensed,
     : model_(std::make_shared<OrbitModel>(problem, std::move(condensed), std::move(shared))) {}
 
 OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& options) {
-  OrbitSearch result = Search(model_, options).run(guess);
+  const auto member = [&](const OrbitGuess& near) {
+    return polish_free_member(model_, near, options.polish);
+  };
+  if (options.free_families == FreeFamilies::first)
+    if (ExactOrbit found = member(guess); found.certified())
+      return {.orbit = std::move(found), .attempts = 1};
+  Search search(model_, options);
+  OrbitSearch result = search.run(guess);
   if (idle_parts_held_ && result.orbit.certified()) {
     result.orbit.multipliers.resize(0);
     result.orbit.orders.clear();
     result.orbit.undefined = "a free part that no contact meets may be anywhere";
   }
+  if (!result.orbit.certified() && options.free_families == FreeFamilies::last && search.free())
+    if (ExactOrbit found = member(*search.free()); found.certified()) result.orbit = std::move(found);
   return result;
 }
 
 OrbitSearch OrbitFinder::find(const Trajectory& trajectory, const SearchOptions& options) {
   OrbitSearch result;
   try {
-    const auto guess = orbit_guess(*model_, trajectory, options.expired);
-    const auto take_member = [&](FreeFamilies when) {
-      if (!guess || options.free_families != when || result.orbit.certified()) return;
-      ExactOrbit member = polish_free_member(model_, *guess, options.polish);
-      if (member.certified()) result.orbit = std::move(member);
-    };
-    take_member(FreeFamilies::first);
-    if (guess && !result.orbit.certified()) result = find(*guess, options);
-    take_member(FreeFamilies::last);
-    if (guess) return result;
+    if (const auto guess = orbit_guess(*model_, trajectory, options.expired)) return find(*guess, options);
     result.orbit.reason = "the structure has no unique response to the contact force";
   } catch (const std::runtime_error& error) {  // a flow that cannot be formed; the time is up
     result.orbit.reason = error.what();

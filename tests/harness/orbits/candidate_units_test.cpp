@@ -82,10 +82,11 @@ TEST(CandidateUnits, BeginNothingAfterTheDeadline) {
 TEST(CandidateUnits, SayWhyAMethodLedNowhere) {
   const Problem problem = test::one_mass();
   std::vector<MethodEntry> catalogue{test::fake_catalogue().front()};
-  catalogue.front().ladder = "behaviour=give_up|wrong_period";
+  catalogue.front().ladder = "behaviour=give_up|wrong_period|singular";
   const std::vector<CandidateUnit> units = candidate_units(problem, 2, 0, 1, catalogue);
   EXPECT_EQ(results(units[1]).front().reason, "the method did not converge");
   EXPECT_NE(results(units[2]).front().reason.find("no whole multiple"), std::string::npos);
+  EXPECT_EQ(results(units[3]).front().reason, "the structure is singular");
 }
 
 }  // namespace

@@ -158,6 +158,28 @@ TEST(CertifyAgain, KnowsContactPhasesFromTheirEvents) {
   EXPECT_EQ(again->fingerprint, kept.fingerprint);
 }
 
+// A mass on a damper alone, whose forced motion of amplitude F / |i c w - m w^2| may be anywhere between its
+// stops.
+TEST(FindAllOrbits, ListsOneOfAFamilyOfMotionsThatTouchNothing) {
+  const Problem floating = parse_scene(
+      "schema = 1\nname = \"floating\"\n[system]\nkind = \"sdof\"\nmass = 1.0\ndamping = 0.3\nstiffness = "
+      "0.0\n[forcing]\nfrequency = 1.7\n[[forcing.term]]\ndof = 0\ncos = 0.14\n[[contact]]\ndof = "
+      "0\nclearance = 0.5\nrestitution = 0.9\n",
+      "floating.toml");
+  const SceneOrbits found = find_all_orbits(floating, {.starts = 8, .subharmonics = 2});
+  int families = 0;
+  for (const FoundOrbit& orbit : found.orbits) {
+    if (!orbit.certified.events.empty()) continue;
+    ++families;
+    EXPECT_EQ(orbit.order, 1);
+    EXPECT_NEAR(orbit.amplitude, 0.14 / std::hypot(0.3 * 1.7, 1.7 * 1.7), 1e-6);
+    EXPECT_NE(orbit.certified.undefined.find("one of a family of free motions"), std::string::npos);
+    EXPECT_FALSE(orbit.certified.stable.has_value());
+    EXPECT_GT(orbit.starts, 10) << "the coarse grids and states that settle, wherever";
+  }
+  EXPECT_EQ(families, 1);
+}
+
 TEST(FindAllOrbits, LeavesOutWhatIsNotCertified) {
   const Problem problem = coexisting();
   const OrbitPolisher refuse = [](const Problem&, const Trajectory&, std::span<const Certificate>,
