@@ -60,6 +60,7 @@ struct Outcome {
   FlowState from;
   LongMotion motion;
   std::optional<FoundOrbit> orbit = {};  ///< where it is periodic and its orbit is certified
+  std::string no_orbit = {};             ///< why it is not certified where it is periodic
 };
 
 /// One state per line, displacements and then velocities of all coordinates, at t = 0; "#" begins a comment.
@@ -110,16 +111,18 @@ std::vector<NamedState> starts_of(const MotionArguments& arguments, const EventF
   return states;
 }
 
-/// The exact orbit of a periodic motion, where it is certified.
-std::optional<FoundOrbit> orbit_of(const Problem& problem, const LongMotion& motion,
-                                   const Deadline& deadline) {
-  if (motion.verdict != LongRun::periodic || problem.contacts.empty()) return std::nullopt;
+/// Looks for the exact orbit of a periodic motion.
+void certify(const Problem& problem, const Deadline& deadline, Outcome& outcome) {
+  const LongMotion& motion = outcome.motion;
+  if (motion.verdict != LongRun::periodic || problem.contacts.empty()) return;
   CertifiedOrbit certified =
       exact_orbits()(with_subharmonic(problem, motion.order), *motion.trajectory, {}, deadline);
-  if (!certified.motion) return std::nullopt;
-  FoundOrbit found = describe_orbit(problem, motion.order, std::move(certified));
-  found.starts = 1;
-  return found;
+  if (!certified.motion) {
+    outcome.no_orbit = certified.reason;
+    return;
+  }
+  outcome.orbit = describe_orbit(problem, motion.order, std::move(certified));
+  outcome.orbit->starts = 1;
 }
 
 /// JSON has no infinite numbers: null.
@@ -164,6 +167,7 @@ Json outcome_json(const Outcome& outcome) {
           {"reason", motion.reason},
           {"order", repeats ? Json(motion.order) : Json()},
           {"orbit", outcome.orbit ? to_json(*outcome.orbit) : Json()},
+          {"orbit_reason", outcome.no_orbit},
           {"settled_after", repeats ? Json(motion.settled_after) : Json()},
           {"measured", motion.measured},
           {"lyapunov", lyapunov},
@@ -207,6 +211,7 @@ std::string headline(const Outcome& outcome) {
   if (motion.order > 0)
     text += fmt::format(", order {}, after {} forcing periods", motion.order, motion.settled_after);
   if (outcome.orbit) text += fmt::format(", orbit {}", outcome.orbit->fingerprint);
+  if (!outcome.no_orbit.empty()) text += fmt::format(", no certified orbit: {}", outcome.no_orbit);
   if (!motion.reason.empty()) text += fmt::format(" ({})", motion.reason);
   return text + "\n";
 }
@@ -277,7 +282,7 @@ int tell_motion(const MotionArguments& arguments) {
       std::vector<StopStatistics>& stops = outcomes.back().motion.stops;
       for (const DampedStop& stop : damped)
         if (!stops.empty()) stops[static_cast<std::size_t>(stop.contact)].power.reset();
-      outcomes.back().orbit = orbit_of(followed.problem(), outcomes.back().motion, own);
+      certify(followed.problem(), own, outcomes.back());
     }
   }
   if (interrupted() || outcomes.empty()) return kInterrupted;
@@ -305,7 +310,7 @@ void add_motion_command(const Command& program, int& exit_code) {
   command
       .option("--from-state", arguments->states,
               "a file of states to start from in place of rest, one per line: displacements, then velocities "
-              "of all coordinates, at t = 0")
+              "of all coordinates at t = 0, faces of damped stops last; told from stops and bases that move")
       .type_name("FILE");
   command.option("--starts", arguments->starts, "random states to start from besides")
       .range(0, kMostRandomStarts)

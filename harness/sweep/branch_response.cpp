@@ -30,6 +30,7 @@ Json steps_json(const MethodResponse& response) {
                       {"x_max", step.x_max},
                       {"status", status_name(step.status)},
                       {"stable", step.stable ? Json(*step.stable) : Json()}});
+    if (step.status != Status::converged && !step.message.empty()) points.back()["message"] = step.message;
   }
   Json json{{"method", response.method},
             {"points", points},
@@ -110,6 +111,11 @@ void require_curve(const ParametrisedScene& scene, const MethodChoice& method, c
   const Support follows =
       curve == nullptr ? Support{false, "it has no curve of its own"} : curve->follows(scene);
   if (follows.ok) return;
+  if (scene.parameter == kEnergy && method.entry->exact)
+    throw UsageError(fmt::format(
+        "parameter = {} (must be that of motions that keep it, without damping, loss at impacts and periodic "
+        "load: {})",
+        kEnergy, follows.reason));
   const std::string other =
       scene.parameter == kFrequency ? "be followed with --natural here" : "follow " + scene.parameter;
   throw UsageError(fmt::format("methods = {} (must {}: {})", method.label(), other, follows.reason));

@@ -70,7 +70,8 @@ std::vector<ParameterRange> missing(const MethodResponse& response);
 std::string incompleteness(const MethodResponse& response);
 
 /// {"parameter", "branches", "unfinished", "notes", "incomplete"}, branches as to_json of a Branch has them.
-/// Points of natural steps are {"omega", "order", "amplitude", "x_max", "status", "stable"}.
+/// Points of natural steps are {"omega", "order", "amplitude", "x_max", "status", "stable"}, those without an
+/// answer with its reason as "message".
 nlohmann::ordered_json to_json(const std::vector<MethodResponse>& responses);
 
 /// One row per point and, unless points at values were asked for, special point, in the order of the

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "harness/report/document/lines.hpp"
 #include "harness/sweep/free_motions.hpp"
@@ -83,7 +84,61 @@ std::string branches_text(const MethodResponse& response) {
   return text;
 }
 
+/// Of points of steps without an answer, each reason once.
+std::vector<std::string> failures(const std::vector<SweepPoint>& steps) {
+  constexpr std::size_t kMostReasons = 6;  // told; more differ by their numbers alone
+  std::vector<std::pair<std::string, std::size_t>> reasons;
+  for (const SweepPoint& step : steps) {
+    if (step.status == Status::converged) continue;
+    const std::string text =
+        fmt::format("{}{}{}", status_name(step.status), step.message.empty() ? "" : ": ", step.message);
+    const auto known = std::ranges::find(reasons, text, &std::pair<std::string, std::size_t>::first);
+    if (known != reasons.end())
+      ++known->second;
+    else
+      reasons.emplace_back(text, 1);
+  }
+  std::vector<std::string> lines;
+  for (const auto& [text, count] : reasons) {
+    if (lines.size() == kMostReasons) break;
+    lines.push_back(fmt::format("{} of {} {}", count, plural(std::ssize(steps), "point"), text));
+  }
+  if (reasons.size() > kMostReasons)
+    lines.push_back(fmt::format("{} more (--format json has them all)",
+                                plural(std::ssize(reasons) - std::ssize(lines), "reason")));
+  return lines;
+}
+
+/// Values that no branch has a point at, in words.
+std::string values_without_motion(const std::vector<Branch>& branches, const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) {
+    const auto has = [value](const Branch& branch) { return !points_at(branch, {value}).points.empty(); };
+    if (std::ranges::none_of(branches, has)) text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", value);
+  }
+  return text;
+}
+
 }  // namespace
+
+std::vector<std::string> shortcomings(const MethodResponse& response, const std::vector<double>& values) {
+  const std::string name = name_with_law(response) + ": ";
+  std::vector<std::string> lines;
+  for (const std::string& failure : failures(response.steps)) lines.push_back(name + failure);
+  const BranchDiagram& diagram = response.diagram;
+  const std::string none =
+      response.steps.empty() ? values_without_motion(diagram.branches, values) : std::string();
+  const std::string left_out = incompleteness(response);
+  if (!none.empty())
+    lines.push_back(
+        fmt::format("{}no motion at {}: {}", name, none,
+                    diagram.unfinished.empty() ? "no branch that was found goes there" : diagram.unfinished));
+  else if (!left_out.empty())
+    lines.push_back(left_out);
+  else if (!diagram.unfinished.empty())
+    lines.push_back(diagram.unfinished);
+  return lines;
+}
 
 std::string sweep_text(const std::vector<MethodResponse>& responses) {
   std::string text;

@@ -13,4 +13,10 @@ namespace signorini {
 /// points at values asked for, as rows. In lines of 80 columns.
 std::string sweep_text(const std::vector<MethodResponse>& responses);
 
+/// Why a response is not all that was asked for, a line for each reason: "closed-hbm: 21 of 21 points
+/// not-applicable: contacts of different laws", values asked for that no branch reaches, `incompleteness`,
+/// and what is unfinished where there is no branch.
+/// \param values  of the parameter asked for (points_at); empty: the whole interval
+std::vector<std::string> shortcomings(const MethodResponse& response, const std::vector<double>& values);
+
 }  // namespace signorini

@@ -24,6 +24,7 @@
 #include "harness/terminal/sweep_output.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/structure/bases/condensation.hpp"
 
 namespace signorini {
@@ -56,6 +57,7 @@ void print_steps(const SweepArguments& arguments, const MethodResponse& response
   }
   fmt::print("{}", table_text(arguments, response_table(response.steps, arguments.limits.certified,
                                                         response.other_law)));
+  for (const std::string& line : shortcomings(response, {})) fmt::print(stderr, "{}\n", line);
 }
 
 // Points of one method, each solved from the one before.
@@ -184,11 +186,8 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
   if (arguments.format == "text") fmt::print("{}", sweep_text(responses));
   for (const MethodResponse& response : responses) {
     for (const std::string& note : response.diagram.notes) fmt::print(stderr, "{}\n", note);
-    const std::string left_out = incompleteness(response);
-    if (!left_out.empty())
-      fmt::print(stderr, "{}\n", left_out);
-    else if (!response.diagram.unfinished.empty())
-      fmt::print(stderr, "{}\n", response.diagram.unfinished);
+    for (const std::string& line : shortcomings(response, arguments.range.at))
+      fmt::print(stderr, "{}\n", line);
   }
 }
 
@@ -328,6 +327,9 @@ void print_attractors(const SweepArguments& arguments, const AttractorBranches& 
 int sweep_attractors(const SweepArguments& arguments) {
   if (!arguments.method.empty() || arguments.natural || arguments.out || !arguments.follow.empty())
     throw UsageError("--method, --natural, --out and --follow (must be left out with --attractors)");
+  if (arguments.parameter == kEnergy)
+    throw UsageError(
+        fmt::format("parameter = {} (must be a number of the scene with --attractors)", kEnergy));
   const Scene scene = read_scene(find_scene(arguments.scene));
   if (const std::string obstacle = flow_obstacle(scene.problem); !obstacle.empty())
     throw UsageError(fmt::format("scene = {} (must be one that is followed through time: {})",

@@ -28,7 +28,7 @@ void add_branch_options(const Command& command, SweepArguments& arguments) {
               "by arc length: longest period searched [forcing periods]; default 6 for exact-orbit with at "
               "most ten "
               "coordinates, else 2")
-      .range(1, 12);
+      .range(1, 64);
   command.option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all")
       .range(1, 10000)
       .shows_default();
@@ -185,6 +185,7 @@ void complete_free_motions(SweepArguments& arguments) {
       arguments.parameter == kFrequency && !arguments.from && !arguments.to && arguments.range.at.empty();
   if (!arguments.method.empty() || arguments.natural || arguments.attractors.starts > 0) return;
   if (!no_interval && !arguments.methods.empty()) return;
+  if (arguments.parameter == kEnergy) arguments.methods = exact_method().name;  // it alone follows energies
   const Problem problem = read_scene(find_scene(arguments.scene)).problem;
   if (highest_load_harmonic(problem) > 0 || !continuation_obstacle(problem).empty()) return;
   if (arguments.methods.empty()) arguments.methods = exact_method().name;

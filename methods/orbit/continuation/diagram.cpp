@@ -104,9 +104,12 @@ class DiagramTracer {
       if (queue_.is_full()) break;
       follow(*start);
     }
+    constexpr int kMostOrder = 64;  // that a scene, and so --max-order, may have
     if (too_long_ > 0)
-      note(fmt::format("{} period doublings not followed (period > {}; --max-order {})", too_long_,
-                       limits_.max_order, 2 * limits_.max_order));
+      note(fmt::format("{} period doublings not followed (period > {}{})", too_long_, limits_.max_order,
+                       limits_.max_order < kMostOrder
+                           ? fmt::format("; --max-order {}", std::min(kMostOrder, 2 * limits_.max_order))
+                           : ""));
     if (dead_ends_ > 0)
       note(fmt::format("{} unstable branches of more than two periods not followed on", dead_ends_));
     return queue_.finish<OrbitDiagram>();

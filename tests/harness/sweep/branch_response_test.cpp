@@ -179,6 +179,17 @@ TEST(CommandSweep, RefusesWhatItCannotFollowInOneLine) {
   }
 }
 
+TEST(CommandSweep, SaysThatEnergiesAreKeptWithoutDampingAndLoadAlone) {
+  for (const char* more : {"", " --methods exact-orbit"}) {
+    const test::Outcome outcome =
+        test::run_program(std::string("sweep sdof-stop --parameter energy --from 0.1 --to 1") + more);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("parameter = energy (must be that of motions that keep it, without damping"),
+              std::string::npos)
+        << outcome.err;
+  }
+}
+
 // The contact-free motion grazes where the gap is its amplitude; the load then has its own value besides.
 TEST(CommandSweep, FollowsAnyNumberOfTheSceneFile) {
   const double reach = 1.0 / std::hypot(1.0 - 2.2 * 2.2, 0.1 * 2.2);
@@ -219,6 +230,19 @@ TEST(ExactBranches, BeginAtAllOrbitsThatASearchFinds) {
   EXPECT_GT(distance_of(0, SpecialKind::fold, 2.5221253565), 1e-3);
   EXPECT_LT(distance_of(1, SpecialKind::fold, 2.5221253565), 1e-9);
   EXPECT_LT(distance_of(1, SpecialKind::period_doubling, 2.5122750311), 1e-9);
+}
+
+// There is no scene of dampers below 0: curves end at the last one that there is, and are whole.
+TEST(ExactBranches, FollowADamperDownToNone) {
+  const ParametrisedScene scene = over_place(find_scene("sdof-stop"), "system.damping", 0.2, 0.0);
+  const BranchDiagram diagram = exact_branches(scene, {.max_order = 1});
+  const auto whole = std::ranges::find_if(diagram.branches, [](const Branch& branch) {
+    const auto [one, other] = std::minmax(branch.points.front().parameter, branch.points.back().parameter);
+    return one == 0.0 && other == 0.2;
+  });
+  EXPECT_NE(whole, diagram.branches.end());
+  for (const Branch& branch : diagram.branches)
+    EXPECT_EQ(branch.ended.find("fails"), std::string::npos) << branch.ended;
 }
 
 // A load that is nothing in the middle of its interval is one all the same.

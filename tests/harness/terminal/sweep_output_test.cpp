@@ -77,5 +77,33 @@ TEST(SweepText, HasStepsAndPointsAtValuesAsRows) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6) << text;
 }
 
+TEST(Shortcomings, TellEachReasonOnce) {
+  MethodResponse steps{.method = "closed-hbm"};
+  for (int i = 0; i < 5; ++i)
+    steps.steps.push_back({.frequency = 2.0, .status = Status::not_applicable, .message = "two laws"});
+  steps.steps.push_back({.frequency = 2.0, .status = Status::timeout});
+  steps.steps.push_back({.frequency = 2.0, .status = Status::converged, .message = "found"});
+  EXPECT_EQ(shortcomings(steps, {}),
+            (std::vector<std::string>{"closed-hbm: 5 of 7 points not-applicable: two laws",
+                                      "closed-hbm: 1 of 7 points timeout"}));
+  for (int i = 0; i < 9; ++i)
+    steps.steps.push_back({.status = Status::not_converged, .message = std::to_string(i)});
+  EXPECT_EQ(shortcomings(steps, {}).size(), 7U);
+  EXPECT_EQ(shortcomings(steps, {}).back(), "closed-hbm: 5 reasons more (--format json has them all)");
+}
+
+TEST(Shortcomings, NameValuesThatNoBranchHas) {
+  MethodResponse at = response_with_a_fold();
+  at.at_values = true;
+  EXPECT_EQ(shortcomings(at, {3.0, 3.25}), std::vector<std::string>{});
+  EXPECT_EQ(
+      shortcomings(at, {2.5, 3.0, 3.7}),
+      std::vector<std::string>{"exact-orbit: no motion at 2.5, 3.7: no branch that was found goes there"});
+  at.diagram = {.unfinished = "no orbit was found"};
+  EXPECT_EQ(shortcomings(at, {3.0}),
+            std::vector<std::string>{"exact-orbit: no motion at 3: no orbit was found"});
+  EXPECT_EQ(shortcomings(at, {}), std::vector<std::string>{"no orbit was found"});
+}
+
 }  // namespace
 }  // namespace signorini::sweep_output_test
