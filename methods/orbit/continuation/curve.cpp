@@ -221,11 +221,13 @@ class Tracer {
     constexpr double kShortestTurn = 1e-6;           // over a value that is asked for
     if (limits_.expired()) return finish("the time is up");
     if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
-    const auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
+    auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
+    const bool lands =
+        !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
     const auto target = followed_.target(limits_.at, *equations_, here_.x);
-    const bool beyond = target && target->leaves;
+    const bool beyond = target ? target->leaves : lands;
     if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
     const auto tangent = tangent_of(*equations_, here_.tangent);
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);

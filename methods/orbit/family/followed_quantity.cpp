@@ -49,6 +49,23 @@ std::optional<double> FollowedQuantity::length_to(double value, ExtendedEquation
                 (at(equations, end) - value) / unit);
 }
 
+std::optional<int> FollowedQuantity::land(ExtendedEquations& equations, const Eigen::VectorXd& x,
+                                          const Eigen::VectorXd& tangent, double& length) const {
+  const Eigen::Index last = x.size() - 1;
+  const ParametrisedScene& scene = family_.scene();
+  const double end = (tangent[last] < 0.0 ? scene.low() : scene.high()) / family_.units().parameter;
+  const double reach = (end - x[last]) / tangent[last];
+  if (!(reach > 0.0 && reach < length)) return std::nullopt;
+  Eigen::VectorXd predicted = x + reach * tangent;
+  predicted[last] = end;
+  const auto iterations = correct_at_parameter(equations, predicted);
+  if (!iterations) return std::nullopt;
+  const double along = tangent.dot(equations.orbit().x - x);
+  if (!(along > 0.0 && along < 2.0 * reach)) return std::nullopt;
+  length = along;
+  return iterations;
+}
+
 bool FollowedQuantity::turns(const std::vector<double>& values, const ExtendedEquations& equations,
                              const CurveStep& step, const Eigen::VectorXd& tangent) const {
   if (values.empty()) return false;

@@ -34,6 +34,12 @@ class FollowedQuantity {
   /// there. Empty where it cannot be found.
   [[nodiscard]] std::optional<double> length_to(double value, ExtendedEquations& equations,
                                                 const CurveStep& step) const;
+  /// A step that would leave the interval of the parameter, shortened to its end: beyond there may be no
+  /// scene, as of dampers below 0. \param length  of the step from `x` along `tangent`, and then that to the
+  /// end, which lies in its plane \return the Newton steps; `equations` are left evaluated at the end. Empty
+  /// where the step does not get there
+  std::optional<int> land(ExtendedEquations& equations, const Eigen::VectorXd& x,
+                          const Eigen::VectorXd& tangent, double& length) const;
   /// Whether it passes one of several values forth and back on such a step. \param tangent  at its end
   [[nodiscard]] bool turns(const std::vector<double>& values, const ExtendedEquations& equations,
                            const CurveStep& step, const Eigen::VectorXd& tangent) const;
