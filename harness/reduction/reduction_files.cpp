@@ -53,7 +53,8 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
                                           reduced.title.empty() ? of : reduced.title, vectors)));
   text +=
       fmt::format("reference = {}\n",
-                  toml_string(fmt::format("{}: its lowest Ritz vectors, and statically all the rest", of)));
+                  toml_string(fmt::format("{}: its lowest Ritz vectors{}", of,
+                                          reduced.size() > vectors ? ", and statically all the rest" : "")));
   std::vector<std::string> tags = reduced.tags;
   if (std::ranges::find(tags, "reduced") == tags.end()) tags.emplace_back("reduced");
   text += fmt::format("tags = {}\n\n", json_text(nlohmann::ordered_json(tags)));
@@ -69,7 +70,10 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
                         term.harmonic, term.cos, term.sin);
   const bool mixed = std::holds_alternative<MixedLaws>(reduced.law());
   for (const Contact& contact : reduced.contacts) {
-    text += fmt::format("\n[[contact]]\ndof = {}\ngap = {}\n", contact.normal.front().first, contact.gap);
+    std::string normal;
+    for (const auto& [dof, coefficient] : contact.normal)
+      normal += fmt::format("{}[{}, {}]", normal.empty() ? "" : ", ", dof, coefficient);
+    text += fmt::format("\n[[contact]]\nnormal = [{}]\ngap = {}\n", normal, contact.gap);
     if (const auto* spring = std::get_if<Spring>(&contact.law); spring != nullptr && mixed)
       text += fmt::format("penalty = {}\n", spring->stiffness);
   }
@@ -140,10 +144,11 @@ std::string write_reduction(const Scene& scene, const ReductionOrder& order, con
     write_whole(folder / (name + "-D.mtx"), matrix_market(reduced.problem.damping()));
   write_whole(order.out, scene_text(reduced.problem, name, problem.name, vectors, space.damping()));
   std::string told = fmt::format(
-      "{}: {} coordinates in place of {}: {} vectors, {} contacts and their static compliance\n"
+      "{}: {} coordinates in place of {}: {} vectors, {} contacts, {} of them with a static compliance "
+      "besides\n"
       "receptances of the contacts beside those on {} vectors:\n",
       order.out.string(), reduced.problem.size(), problem.size(), vectors, problem.contact_count(),
-      space.whole().vectors());
+      reduced.problem.size() - vectors, space.whole().vectors());
   for (const int harmonic : std::array{0, 1, 10, 100})
     told += fmt::format("  harmonic {:<4} {:.1e}\n", harmonic,
                         receptance_error(space, problem.period(), harmonic));

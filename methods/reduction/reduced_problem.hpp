@@ -25,8 +25,9 @@ struct ReducedProblem {
 ///     f = (phi^T f - n G s_m, G s_m),
 ///
 /// so that G (1 + beta d/dt) (x - n^T q) = G s_m + lambda, which is what xi obeys, and n lambda acts on q.
-/// Gaps, stiffness of springs, frequency and order of the motion are those of the scene; coordinate m + j is
-/// contact j.
+/// Gaps, stiffness of springs, frequency and order of the motion are those of the scene. Coordinates from m
+/// on are the contacts with a static residual, in their order. A spring without one, its residual within
+/// 1e-12 of what the vectors give way by, acts on the vectors: x = n^T q.
 ///
 /// An obstacle: contacts with mass and an impact law, which the reduced structure does not represent
 /// (march_obstacle); kMixedRelaxing; a static residual C_m that is not definite to 1e-12 of its diagonal.

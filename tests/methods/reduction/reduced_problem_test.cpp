@@ -77,6 +77,30 @@ TEST(ReducedProblem, KeepsTheLawOfEachContact) {
             kMixedRelaxing);
 }
 
+// On as many vectors as there are masses, or where the damping grows with the stiffness, a spring has no
+// static residual: it acts on the vectors, and all of them are the structure itself.
+TEST(ReducedProblem, LetsSpringsWithoutAResidualActOnTheVectors) {
+  for (const double beta : {0.0, 0.01}) {
+    Problem chain = parse_scene(
+        "schema = 1\nname = \"c\"\n[system]\nkind = \"chain\"\nmasses = [1.0, 2.0, 1.5, 1.0]\nsprings = "
+        "[9.0, 8.0, 9.0, 7.0]\ndampers = [0.0, 0.0, 0.0, 0.0]\n[forcing]\nfrequency = "
+        "0.7\n[[forcing.term]]\ndof = 1\ncos = 1.0\n[[contact]]\ndof = 3\ngap = 0.05\npenalty = "
+        "20.0\n[[contact]]\nbetween = [0, 2]\ngap = 0.02\npenalty = 5.0\n",
+        "c.toml");
+    chain.edit_structure(
+        [beta](Structure& s) { s.damping = 0.05 * s.mass + SparseMatrix(beta * s.stiffness); });
+    const ReducedProblem reduced = reduced_problem(chain, ContactSpace(chain).small());
+    ASSERT_EQ(reduced.obstacle, "");
+    EXPECT_NO_THROW(validate(reduced.problem));
+    EXPECT_EQ(reduced.problem.size(), 4);
+    const ExactOrbitMethod method({});
+    const Solution whole = method.prepare(chain)->solve({}), few = method.prepare(reduced.problem)->solve({});
+    ASSERT_TRUE(whole.verdict == Verdict::converged && few.verdict == Verdict::converged)
+        << whole.message << few.message;
+    EXPECT_LT((whole.trajectory->sample(256).x - few.trajectory->sample(256).x).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
 TEST(ReducedProblem, SaysWhyThereIsNone) {
   Problem chain = test::stopped_chain(12, 0.5, 1);
   chain.edit_structure([](Structure& s) { s.damping = 0.02 * s.stiffness; });
