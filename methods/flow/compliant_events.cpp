@@ -5,7 +5,7 @@
 namespace signorini {
 
 CompliantEvents::CompliantEvents(const ContactDynamics& dynamics, double tolerance)
-    : StopEvents(dynamics),
+    : GivingEvents(dynamics),
       orders_{{.derivative = 0, .floor = event_noise(tolerance) * dynamics.scales().displacement},
               {.derivative = 1, .floor = event_noise(tolerance) * dynamics.scales().velocity},
               {.derivative = 2, .floor = event_noise(tolerance) * dynamics.scales().acceleration}} {}
@@ -19,7 +19,7 @@ FlowState CompliantEvents::place(double time, const State& state) const {
   return flow;
 }
 
-std::vector<bool> CompliantEvents::closed_after(const FlowState& flow, int trigger) const {
+std::vector<bool> CompliantEvents::closed_after(const FlowState& flow, int trigger, bool) const {
   const std::vector<bool>& before = flow.closed;
   const MotionDerivatives motion = dynamics_.derivatives(dynamics_.mode(before), flow.time, flow.state, 2);
   std::vector<bool> closed = before, undecided(before.size(), false);
@@ -42,7 +42,7 @@ std::vector<bool> CompliantEvents::closed_after(const FlowState& flow, int trigg
 
 void CompliantEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
   const std::vector<bool> before = flow.closed;
-  flow.closed = closed_after(flow, trigger);
+  flow.closed = closed_after(flow, trigger, false);
   log_changes(before, flow, trigger, record);
 }
 

@@ -67,8 +67,12 @@ EventFlow::Crossing EventFlow::first_event(const Stretch& stretch, std::vector<b
 // Both forms agree on deviations that the constraint admits; those normal to it the saltation removes.
 Eigen::MatrixXd EventFlow::carried(const std::vector<bool>& closed, double duration,
                                    const Eigen::MatrixXd& deviations) {
-  if (integrator_ != Integrator::modal)
-    return product(matrix_exponential(dynamics_.flow_matrix(mode_) * duration), deviations);
+  if (integrator_ != Integrator::modal) {
+    Eigen::MatrixXd moved = product(matrix_exponential(dynamics_.flow_matrix(mode_) * duration), deviations);
+    for (int j = 0; j < dynamics_.structure().relaxing(); ++j)
+      if (dynamics_.rigid(j)) moved.row(dynamics_.size() + j).setZero();  // nothing gives way there
+    return moved;
+  }
   const LinearFlow& flow = flows_.of(closed);
   if (deviations.cols() >= deviations.rows()) return product(flow.transition(duration), deviations);
   const TransitionFactors factors = flow.transition_factors(duration);

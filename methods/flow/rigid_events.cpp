@@ -42,20 +42,6 @@ std::optional<double> left_out_by_chatter(const ContactDynamics& dynamics, int c
   return std::abs(jerk + fading) <= kSlowForce * fading ? std::optional(height) : std::nullopt;
 }
 
-// What the closed rigid stops among those of a mode hold.
-ContactMode RigidEvents::held_of(const ContactMode& mode) const {
-  if (!compliant_) return mode;
-  ContactMode held;
-  std::vector<int> rows;
-  for (std::size_t k = 0; k < mode.active.size(); ++k) {
-    if (!dynamics_.rigid(mode.active[k])) continue;
-    held.active.push_back(mode.active[k]);
-    rows.push_back(static_cast<int>(k));
-  }
-  if (!rows.empty()) held.response = block_of(mode.response, rows, rows);
-  return held;
-}
-
 // The left side of an event and what the impact law made of it.
 struct RigidEvents::Impact {
   std::vector<int> contacts;            // touching
@@ -64,7 +50,8 @@ struct RigidEvents::Impact {
   Eigen::VectorXd impulse;              // p of each
   std::vector<double> rest_of_chatter;  // [s], of each
   State before;
-  Eigen::VectorXd acceleration, jerk;  // u'', u''' on the left side
+  Eigen::VectorXd rate;                // (u, xi, v)' on the left side
+  Eigen::VectorXd acceleration, jerk;  // u'', u''' there
 };
 
 RigidEvents::RigidEvents(const ContactDynamics& dynamics, double tolerance)
@@ -73,7 +60,11 @@ RigidEvents::RigidEvents(const ContactDynamics& dynamics, double tolerance)
       touch_(event_noise(tolerance) * dynamics.scales().displacement),
       rest_(event_noise(tolerance) * dynamics.scales().velocity),
       weightless_(std::max(0.01 * tolerance, 1024.0 * kEpsilon) * dynamics.scales().acceleration) {
-  if (dynamics.stops().mixed()) compliant_.emplace(dynamics, tolerance);
+  if (!dynamics.stops().mixed()) return;
+  if (dynamics.structure().relaxing() > 0)
+    giving_ = std::make_unique<RelaxingEvents>(dynamics, tolerance);
+  else
+    giving_ = std::make_unique<CompliantEvents>(dynamics, tolerance);
 }
 
 // How long the impacts after one of speed v last, if they are carried to their limit at once; else empty.
@@ -203,46 +194,64 @@ std::vector<SequenceEvent> RigidEvents::entries(const Impact& impact, const Flow
 // F- for that long. Entries of one instant follow one another.
 Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const std::vector<SequenceEvent>& entries,
                                        const FlowState& after, const ContactMode& mode) const {
-  const int n = dynamics_.size();
-  const Eigen::MatrixXd& W = dynamics_.structure().directions;
-  const Eigen::MatrixXd& back = dynamics_.structure().velocity_per_impulse;
-  Eigen::MatrixXd S = Eigen::MatrixXd::Identity(2 * n, 2 * n);
-  Eigen::VectorXd v = impact.before.v, a = impact.acceleration, v_after(n), a_after(n);
+  const int n = dynamics_.size(), states = dynamics_.states();
+  const FlowStructure& structure = dynamics_.structure();
+  Eigen::MatrixXd S = Eigen::MatrixXd::Identity(states, states);
+  Eigen::VectorXd before = impact.rate, y(states), rate(states);
+  y << after.state.u, impact.before.v;
   for (const SequenceEvent& entry : entries) {
     const bool last = &entry == &entries.back();
     Eigen::MatrixXd R = Eigen::MatrixXd::Identity(n, n);
     if (!entry.pushed.empty()) {
-      R += product(columns_of(back, entry.pushed),
-                   dynamics_.structure().impulse_of_velocity(entry.pushed, entry.restitution));
+      R += product(columns_of(structure.velocity_per_impulse, entry.pushed),
+                   structure.impulse_of_velocity(entry.pushed, entry.restitution));
     }
-    v_after = last ? after.state.v : image(R, v);
-    dynamics_.acceleration(last ? mode : dynamics_.mode(entry.closed), after.time, after.state.u, v_after,
-                           a_after);
-    Eigen::MatrixXd one = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+    y.tail(n) = last ? after.state.v : image(R, Eigen::VectorXd(y.tail(n)));
+    dynamics_.rate(last ? mode : dynamics_.mode(entry.closed), after.time, y, rate);
+    Eigen::MatrixXd one = Eigen::MatrixXd::Identity(states, states);
     one.bottomRightCorner(n, n) = R;
-    const double closing_speed = entry.contact < 0 ? 0.0 : W.col(entry.contact).dot(v);
-    if (!entry.pushed.empty() && closing_speed > rest_) {
-      const Eigen::RowVectorXd along = W.col(entry.contact).transpose() / closing_speed;
-      one.topLeftCorner(n, n) += (v_after - v) * along;
-      one.bottomLeftCorner(n, n) += (a_after - image(R, a)) * along;
+    if (const Eigen::RowVectorXd earlier = earlier_by_state(entry, before); earlier.size() > 0) {
+      before.tail(n) = image(R, Eigen::VectorXd(before.tail(n)));
+      one += (rate - before) * earlier;
     }
     S = last && entries.size() == 1 ? std::move(one) : product(one, S);
-    v = v_after;
-    a = a_after;
+    before = rate;
   }
-  if (const ContactMode held = held_of(mode); !held.active.empty()) {  // what it holds cannot deviate
-    const Eigen::MatrixXd hold = product(columns_of(back, held.active),
-                                         product_by_transposed(held.response, columns_of(W, held.active)));
+  if (const ContactMode held = part(mode, true); !held.active.empty()) {  // what it holds cannot deviate
+    const Eigen::MatrixXd hold =
+        product(columns_of(structure.velocity_per_impulse, held.active),
+                product_by_transposed(held.response, columns_of(structure.directions, held.active)));
     S.topRows(n) -= product(hold, S.topRows(n));
     S.bottomRows(n) -= product(hold, S.bottomRows(n));
   }
+  if (giving_) giving_->admit(mode, S);
   return S;
+}
+
+// n^T / (n^T F-) of the contact that triggers an event at which the rates jump; empty where none does.
+Eigen::RowVectorXd RigidEvents::earlier_by_state(const SequenceEvent& entry,
+                                                 const Eigen::VectorXd& before) const {
+  const int n = dynamics_.size(), j = entry.contact;
+  if (j < 0) return {};
+  const bool rigid = dynamics_.rigid(j);
+  const bool halts =
+      rigid ? !entry.pushed.empty() : dynamics_.halts(j) && entry.kind == ContactEvent::Kind::close;
+  if (!halts) return {};
+  const auto w = dynamics_.structure().directions.col(j);
+  const double speed = w.dot(before.head(n)) + (rigid ? 0.0 : before[n + j]);
+  if (!(speed > rest_)) return {};
+  Eigen::RowVectorXd earlier = Eigen::RowVectorXd::Zero(before.size());
+  earlier.head(n) = w.transpose() / speed;
+  if (!rigid) earlier[n + j] = 1.0 / speed;
+  return earlier;
 }
 
 void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
   Impact impact;
+  const FlowStructure& structure = dynamics_.structure();
+  const int n = dynamics_.size();
   const Eigen::VectorXd gap =
-      dynamics_.structure().gaps - image_by_transposed(dynamics_.structure().directions, flow.state.u);
+      structure.gaps - image_by_transposed(structure.directions, flow.state.u.head(n));
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     if (!dynamics_.rigid(j)) continue;
     if (flow.closed[static_cast<std::size_t>(j)] || gap[j] <= touch_ || j == trigger)
@@ -250,22 +259,22 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   }
   const MotionDerivatives left = dynamics_.derivatives(dynamics_.mode(flow.closed), flow.time, flow.state, 3);
   impact.before = flow.state;
-  impact.acceleration = left.u.col(2);
-  impact.jerk = left.u.col(3);
-  impact.approach =
-      image_by_transposed_columns(dynamics_.structure().directions, impact.contacts, flow.state.v);
+  impact.acceleration = left.u.col(2).head(n);
+  impact.jerk = left.u.col(3).head(n);
+  impact.rate.resize(dynamics_.states());
+  impact.rate << left.u.col(1), impact.acceleration;
+  impact.approach = image_by_transposed_columns(structure.directions, impact.contacts, flow.state.v);
   collide(flow, impact);
 
   // Of the contacts at rest those are held that the accelerations press on their stops, or their rates.
   std::vector<bool> resting(flow.closed.size(), false), closed = resting;
-  if (compliant_) {
-    closed = compliant_->closed_after(flow, trigger);
+  if (giving_) {
+    closed = giving_->closed_after(flow, trigger, (impact.impulse.array() < 0.0).any());
     for (int j = 0; j < dynamics_.contact_count(); ++j)
       if (dynamics_.rigid(j)) closed[static_cast<std::size_t>(j)] = false;
   }
   for (const int j : impact.contacts) {
-    resting[static_cast<std::size_t>(j)] =
-        std::abs(dynamics_.structure().directions.col(j).dot(flow.state.v)) <= rest_;
+    resting[static_cast<std::size_t>(j)] = std::abs(structure.directions.col(j).dot(flow.state.v)) <= rest_;
   }
   decide(flow.time, flow.state, {{.derivative = 2, .floor = weightless_}, {.derivative = 3, .floor = 0.0}},
          std::move(resting), closed);
@@ -282,7 +291,7 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   const std::vector<SequenceEvent> sequence = entries(impact, flow, closed, trigger);
   if (trigger >= 0) record.sequence.insert(record.sequence.end(), sequence.begin(), sequence.end());
   if (record.tangent) {
-    record.order_matters |= coupling_of(dynamics_.structure(), flow.closed, sequence) != ImpactCoupling::none;
+    record.order_matters |= coupling_of(structure, flow.closed, sequence) != ImpactCoupling::none;
     flow.closed = closed;
     record.derivative = product(saltation(impact, sequence, flow, mode), record.derivative);
   }
@@ -297,29 +306,31 @@ FlowState RigidEvents::place(double time, const State& state) const {
   std::vector<int> rigid;
   for (int j = 0; j < dynamics_.contact_count(); ++j)
     if (dynamics_.rigid(j)) rigid.push_back(j);
-  const Eigen::VectorXd gap =
-      entries_of(structure.gaps - image_by_transposed(structure.directions, state.u), rigid);
+  const Eigen::VectorXd gap = entries_of(
+      structure.gaps - image_by_transposed(structure.directions, state.u.head(dynamics_.size())), rigid);
   if (gap.size() > 0 && gap.minCoeff() < 0.0) {
     // The nearest admissible displacement in the metric of M: u - M^-1 W z with 0 <= z, 0 <= gap + G z.
     const auto z = solve_small_lcp(block_of(structure.delassus, rigid, rigid), gap,
                                    std::vector<bool>(rigid.size(), false));
     if (!z) throw FlowError("no displacement satisfies all gaps");
-    flow.state.u -= image_by_columns(structure.velocity_per_impulse, rigid, *z);
+    flow.state.u.head(dynamics_.size()) -= image_by_columns(structure.velocity_per_impulse, rigid, *z);
   }
-  if (compliant_) flow.closed = compliant_->place(time, flow.state).closed;
+  if (giving_) flow = giving_->place(time, flow.state);
   resolve(flow, -1, ignored);
   return flow;
 }
 
 void RigidEvents::hold(State& state, const ContactMode& of_all) const {
-  const ContactMode mode = held_of(of_all);
-  if (mode.active.empty()) return;
-  const FlowStructure& structure = dynamics_.structure();
-  const Eigen::MatrixXd rows = columns_of(structure.directions, mode.active).transpose();
-  const Eigen::MatrixXd back =
-      product(columns_of(structure.velocity_per_impulse, mode.active), mode.response);
-  state.u -= image(back, image(rows, state.u) - entries_of(structure.gaps, mode.active));
-  state.v -= image(back, image(rows, state.v));
+  if (const ContactMode mode = part(of_all, true); !mode.active.empty()) {
+    const FlowStructure& structure = dynamics_.structure();
+    const Eigen::MatrixXd rows = columns_of(structure.directions, mode.active).transpose();
+    const Eigen::MatrixXd back =
+        product(columns_of(structure.velocity_per_impulse, mode.active), mode.response);
+    auto u = state.u.head(dynamics_.size());
+    u -= image(back, image(rows, u) - entries_of(structure.gaps, mode.active));
+    state.v -= image(back, image(rows, state.v));
+  }
+  if (giving_) giving_->hold(state, of_all);
 }
 
 }  // namespace signorini

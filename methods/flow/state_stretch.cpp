@@ -38,7 +38,7 @@ Guard StateStretch::guard(int contact, double time) const {
   if (!dynamics_.rigid(contact) || mode_->closed(contact))
     return guards(time)[static_cast<std::size_t>(contact)];
   evaluate(time, y_);
-  const Eigen::Index n = y_.size() / 2;
+  const Eigen::Index n = dynamics_.size();
   const FlowStructure& structure = dynamics_.structure();
   const auto w = structure.directions.col(contact);
   return {.value = structure.gaps[contact] - w.dot(y_.head(n)), .rate = -w.dot(y_.tail(n))};
@@ -117,8 +117,8 @@ double TaylorStretch::short_flight(const FlowState& flow, const MotionDerivative
   double length = 0.0;
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     const auto w = structure.directions.col(j);
-    const double gap = structure.gaps[j] - w.dot(flow.state.u);
-    const double v = w.dot(flow.state.v), a = w.dot(motion.u.col(2));
+    const double gap = structure.gaps[j] - w.dot(flow.state.u.head(w.size()));
+    const double v = w.dot(flow.state.v), a = w.dot(motion.u.col(2).head(w.size()));
     if (!dynamics_.rigid(j) || flow.closed[static_cast<std::size_t>(j)] || gap > touch_ || !(v < 0.0) ||
         !(a > 0.0))
       continue;
@@ -141,14 +141,14 @@ void TaylorStretch::start(const ContactMode& mode, const FlowState& flow, double
 
 void TaylorStretch::evaluate(double time, Eigen::VectorXd& y) const {
   const double s = time - begin_;
-  const Eigen::Index n = dynamics_.size();
-  y.resize(2 * n);
-  y.head(n) = motion_.u.col(kTaylorOrder);
-  y.tail(n) = motion_.u.col(kTaylorOrder + 1);
+  const Eigen::Index n = dynamics_.size(), p = dynamics_.positions();
+  y.resize(p + n);
+  y.head(p) = motion_.u.col(kTaylorOrder);
+  y.tail(n) = motion_.u.col(kTaylorOrder + 1).head(n);
   // Horner's scheme for sum_k u^(k) s^k / k!, and for u' with the derivatives one further.
   for (int k = kTaylorOrder; k >= 1; --k) {
-    y.head(n) = motion_.u.col(k - 1) + s / k * y.head(n);
-    y.tail(n) = motion_.u.col(k) + s / k * y.tail(n);
+    y.head(p) = motion_.u.col(k - 1) + s / k * y.head(p);
+    y.tail(n) = motion_.u.col(k).head(n) + s / k * y.tail(n);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "methods/solvers/lcp/lcp.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
@@ -25,7 +26,7 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
     // u^(k) is that of the contacts closed so far: at rigid stops their force is part of it, and z of a held
     // contact only what the ones still to close change about it.
     // Where contacts relax, the derivative of x is known two orders below that of u.
-    const bool relaxing = structure.relaxing() > 0;
+    const bool relaxing = !rigid && structure.relaxing() > 0;
     const MotionDerivatives motion =
         dynamics_.derivatives(dynamics_.mode(closed), time, state, std::max(2, order) + (relaxing ? 2 : 0));
     Eigen::VectorXd gap;
@@ -48,6 +49,19 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
       undecided[index] = !closed[index] && w[row] <= floor;
     }
   }
+}
+
+ContactMode StopEvents::part(const ContactMode& mode, bool rigid) const {
+  ContactMode result;
+  std::vector<int> rows;
+  for (std::size_t k = 0; k < mode.active.size(); ++k) {
+    if (dynamics_.rigid(mode.active[k]) != rigid) continue;
+    result.active.push_back(mode.active[k]);
+    rows.push_back(static_cast<int>(k));
+  }
+  if (rows.size() == mode.active.size()) return mode;
+  if (!rows.empty()) result.response = block_of(mode.response, rows, rows);
+  return result;
 }
 
 void StopEvents::log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,

@@ -3,6 +3,7 @@
 // ones.
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,9 @@ class StopEvents {
   /// open. \throws FlowError if there is no solution (only possible where contacts depend on each other)
   void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
               std::vector<bool>& closed) const;
+
+  /// The closed contacts of a mode that are rigid, or those that give way, with their own response.
+  [[nodiscard]] ContactMode part(const ContactMode& mode, bool rigid) const;
 
   /// Logs an event at which the contacts that are closed change, and nothing else does.
   static void log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,
@@ -90,6 +94,20 @@ std::optional<Eigen::VectorXd> newton_impulses(const Eigen::MatrixXd& delassus,
                                                const Eigen::VectorXd& approach,
                                                const Eigen::VectorXd& restitution);
 
+/// What stops that give way do, alone or beside rigid ones, which they leave alone.
+class GivingEvents : public StopEvents {
+ public:
+  /// The contacts that are closed after an event: those of `flow`, but for the giving ones that push. That of
+  /// `trigger` changes if it is one of them. \param struck  whether impulses have just changed the velocities
+  [[nodiscard]] virtual std::vector<bool> closed_after(const FlowState& flow, int trigger,
+                                                       bool struck) const = 0;
+  /// Takes from deviations of the state what a mode does not admit.
+  virtual void admit(const ContactMode&, Eigen::MatrixXd&) const {}
+
+ protected:
+  using StopEvents::StopEvents;
+};
+
 /// At compliant stops (springs, and stops behind coordinates without mass) the contact force is the solution
 /// of the static complementarity problem
 ///
@@ -99,7 +117,7 @@ std::optional<Eigen::VectorXd> newton_impulses(const Eigen::MatrixXd& delassus,
 /// the solution has contacts with neither gap nor force, their next derivatives decide, in order: the same
 /// problem for the first and the second time derivatives (the motion is twice differentiable), with the
 /// contacts that push as equalities. What is left undecided stays open.
-class CompliantEvents final : public StopEvents {
+class CompliantEvents final : public GivingEvents {
  public:
   /// \param tolerance  of the integration, relative to the scales of the motion [-]
   CompliantEvents(const ContactDynamics& dynamics, double tolerance);
@@ -111,16 +129,17 @@ class CompliantEvents final : public StopEvents {
   void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
   /// Nothing: a compliant stop lets its contact move.
   void hold(State&, const ContactMode&) const override {}
-  /// The contacts that are closed after an event: those of `flow`, but for the compliant ones that push. That
-  /// of `trigger` changes if it is one of them.
-  [[nodiscard]] std::vector<bool> closed_after(const FlowState& flow, int trigger) const;
+  /// Whatever has changed the velocities: forces are those of the displacements.
+  [[nodiscard]] std::vector<bool> closed_after(const FlowState& flow, int trigger,
+                                               bool struck) const override;
 
  private:
   std::vector<Order> orders_;  // of gap, speed and acceleration
 };
 
 /// Applies the laws of impact and contact to the contacts that touch their rigid stops. Others of the scene
-/// are compliant (CompliantEvents): their forces, continuous through an impact, are settled first.
+/// give way (GivingEvents): which of them push is settled first. Forces of compliant ones are continuous
+/// through an impact, those of relaxing ones jump, and such a contact may open.
 ///
 /// Impact: Newton's law for all touching contacts together (`newton_impulses`). Afterwards those at rest
 /// stick if the force presses them, lambda_j < 0, or lambda_j = 0 and falling: a linear complementarity
@@ -145,7 +164,9 @@ class RigidEvents final : public StopEvents {
   /// -1. Logs impacts, closings and openings; where the record asks for it, multiplies its derivative by
   /// the saltation matrix
   ///
-  ///     S = R + (F+ - R F-) n^T / (n^T F-),   n = (w, 0), R = diag(I, dv+/dv-), F = (v, a) on each side,
+  ///     S = R + (F+ - R F-) n^T / (n^T F-),   R = diag(I, I, dv+/dv-), F = (v, xi', a) on each side,
+  ///
+  /// n = (w, 0, 0) of a rigid stop, the gradient of x of a relaxing one,
   ///
   /// of impacts at one instant that do not feel each other through the mass by the product of theirs, in the
   /// order of the contacts.
@@ -162,7 +183,6 @@ class RigidEvents final : public StopEvents {
   struct Impact;
 
   [[nodiscard]] std::optional<double> rest_of_chatter(int contact, double v, double a, double jerk) const;
-  [[nodiscard]] ContactMode held_of(const ContactMode& mode) const;
   void collide(FlowState& flow, Impact& impact) const;
   void log(const Impact& impact, const FlowState& before, const std::vector<bool>& closed,
            FlowRecord& record) const;
@@ -170,9 +190,11 @@ class RigidEvents final : public StopEvents {
                                                    const std::vector<bool>& closed, int trigger) const;
   [[nodiscard]] Eigen::MatrixXd saltation(const Impact& impact, const std::vector<SequenceEvent>& entries,
                                           const FlowState& after, const ContactMode& mode) const;
+  [[nodiscard]] Eigen::RowVectorXd earlier_by_state(const SequenceEvent& entry,
+                                                    const Eigen::VectorXd& before) const;
 
   double tolerance_, touch_, rest_, weightless_;
-  std::optional<CompliantEvents> compliant_ = {};  // of the other contacts, if there are any
+  std::unique_ptr<const GivingEvents> giving_;  // of the other contacts, if there are any
 };
 
 /// At relaxing stops (behind damped coordinates without mass) a contact that closes is stopped without an
@@ -183,7 +205,7 @@ class RigidEvents final : public StopEvents {
 /// a = W^T v + (s - xi) / beta their speeds without forces; a single one takes lambda = -a / G. So one may
 /// open where another closes. Where the solution has contacts with neither speed nor force, the second
 /// derivatives of x decide, with lambda'. A contact opens where its force vanishes, and no force jumps.
-class RelaxingEvents final : public StopEvents {
+class RelaxingEvents final : public GivingEvents {
  public:
   /// \param tolerance  of the integration, relative to the scales of the motion [-]
   RelaxingEvents(const ContactDynamics& dynamics, double tolerance);
@@ -197,9 +219,15 @@ class RelaxingEvents final : public StopEvents {
   void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
   /// x_A = g_A at closed contacts, by xi in the direction C_A that a force moves it.
   void hold(State& state, const ContactMode& mode) const override;
+  /// Where velocities have jumped, or a contact closes, all forces do, and contacts may open.
+  [[nodiscard]] std::vector<bool> closed_after(const FlowState& flow, int trigger,
+                                               bool struck) const override;
+  /// x_A' = 0 likewise.
+  void admit(const ContactMode& mode, Eigen::MatrixXd& derivative) const override;
 
  private:
   [[nodiscard]] Eigen::VectorXd rates(const FlowState& flow) const;
+  [[nodiscard]] Eigen::VectorXd moved(int contact, const Eigen::MatrixXd& derivative) const;
   void pass(const FlowState& after, const Eigen::VectorXd& before, int trigger,
             Eigen::MatrixXd& derivative) const;
 

@@ -322,14 +322,14 @@ class RelaxingStops final : public Stops {
                                       const Eigen::VectorXd& g, const Eigen::MatrixXd& response) const {
     const int contacts = structure_.contact_count();
     std::vector<int> open;
-    for (int j = 0; j < contacts; ++j) {
-      if (!mode.closed(j)) open.push_back(j);
+    for (int j = 0; j < contacts; ++j) {  // before a rigid stop nothing relaxes
+      if (!mode.closed(j) && structure_.massless_compliance(j, j) > 0.0) open.push_back(j);
     }
     const auto count = static_cast<Eigen::Index>(open.size());
-    RelaxingForm form{.of_u = Eigen::MatrixXd(contacts, structure_.size()),
+    RelaxingForm form{.of_u = Eigen::MatrixXd::Zero(contacts, structure_.size()),
                       .of_z = Eigen::MatrixXd::Zero(contacts, count),
                       .of_xi = Eigen::MatrixXd::Zero(count, contacts),
-                      .offset = Eigen::VectorXd(contacts)};
+                      .offset = Eigen::VectorXd::Zero(contacts)};
     const Eigen::MatrixXd carried =
         product(block_of(structure_.massless_compliance, open, mode.active), response);
     const Eigen::VectorXd offset = image(carried, g);

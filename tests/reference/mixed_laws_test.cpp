@@ -19,11 +19,13 @@
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/support/accuracy.hpp"
+#include "tests/support/stop_march.hpp"
 
 namespace signorini::mixed_laws_test {
 namespace {
 
 using test::solve;
+using March = test::StopMarch;
 
 /// Three masses between springs; `stops` are its contacts and laws.
 Problem chain_before(const std::string& stops, double last_mass = 1.0) {
@@ -35,85 +37,6 @@ Problem chain_before(const std::string& stops, double last_mass = 1.0) {
           stops,
       "chain.toml");
 }
-
-/// The classical Runge-Kutta method through time on the coordinates with mass; a step in which a rigid stop
-/// is passed is halved until it ends there, and Newton's law follows. Stops that are springs are part of the
-/// force. Motions that stay at a rigid stop are beyond it.
-class March {
- public:
-  struct Stop {
-    Eigen::VectorXd normal;
-    double gap = 0.0, stiffness = 0.0, restitution = 0.0;  // a spring if its stiffness is not 0
-  };
-
-  March(const Problem& problem, std::vector<Stop> stops)
-      : n_(stops.front().normal.size()),
-        problem_(problem),
-        inverse_(Eigen::MatrixXd(problem.mass()).topLeftCorner(n_, n_).inverse()),
-        damping_(Eigen::MatrixXd(problem.damping()).topLeftCorner(n_, n_)),
-        stiffness_(Eigen::MatrixXd(problem.stiffness()).topLeftCorner(n_, n_)),
-        stops_(std::move(stops)),
-        y_(Eigen::VectorXd::Zero(2 * n_)) {}
-
-  /// Moves on by `periods`; the displacements at the ends of `count` equal parts of the last one.
-  Eigen::MatrixXd run(int periods, int count) {
-    constexpr int kSteps = 8;  // per part
-    const double part = problem_.period() / count;
-    Eigen::MatrixXd x(count, n_);
-    for (int k = 0; k < periods * count; ++k) {
-      for (int i = 0; i < kSteps; ++i) advance((k + static_cast<double>(i) / kSteps) * part, part / kSteps);
-      x.row((k + 1) % count) = y_.head(n_).transpose();
-    }
-    return x;
-  }
-
- private:
-  [[nodiscard]] Eigen::VectorXd rate(double t, const Eigen::VectorXd& y) const {
-    Eigen::VectorXd force = load_at(problem_, t).head(n_) - stiffness_ * y.head(n_) - damping_ * y.tail(n_);
-    for (const Stop& stop : stops_)
-      force -= stop.stiffness * std::max(0.0, stop.normal.dot(y.head(n_)) - stop.gap) * stop.normal;
-    Eigen::VectorXd result(2 * n_);
-    result << y.tail(n_), inverse_ * force;
-    return result;
-  }
-  [[nodiscard]] Eigen::VectorXd stepped(double t, double h) const {
-    const Eigen::VectorXd a = rate(t, y_), b = rate(t + 0.5 * h, y_ + 0.5 * h * a),
-                          c = rate(t + 0.5 * h, y_ + 0.5 * h * b), d = rate(t + h, y_ + h * c);
-    return y_ + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
-  }
-  [[nodiscard]] const Stop* passed(const Eigen::VectorXd& y) const {
-    for (const Stop& stop : stops_) {
-      if (stop.stiffness == 0.0 && stop.normal.dot(y.head(n_)) > stop.gap &&
-          stop.normal.dot(y.tail(n_)) > 0.0)
-        return &stop;
-    }
-    return nullptr;
-  }
-  void advance(double t, double h) {
-    Eigen::VectorXd next = stepped(t, h);
-    if (passed(next) == nullptr) {
-      y_ = next;
-      return;
-    }
-    double safe = 0.0, beyond = h;
-    while (beyond - safe > 1e-15) {
-      const double middle = 0.5 * (safe + beyond);
-      (passed(stepped(t, middle)) == nullptr ? safe : beyond) = middle;
-    }
-    next = stepped(t, beyond);
-    const Stop& stop = *passed(next);
-    y_ = next;
-    const Eigen::VectorXd back = inverse_ * stop.normal;
-    y_.tail(n_) -= (1.0 + stop.restitution) * stop.normal.dot(y_.tail(n_)) / stop.normal.dot(back) * back;
-    if (h > beyond) advance(t + beyond, h - beyond);
-  }
-
-  Eigen::Index n_;
-  const Problem& problem_;
-  Eigen::MatrixXd inverse_, damping_, stiffness_;
-  std::vector<Stop> stops_;
-  Eigen::VectorXd y_;
-};
 
 Eigen::VectorXd along(int dof, int size, double sign = 1.0) {
   return sign * Eigen::VectorXd::Unit(size, dof);
@@ -129,19 +52,21 @@ std::vector<Solution> solutions(const Problem& problem) {
   return found;
 }
 
-/// x of both contacts is that of the march.
-void expect_marched(const Problem& problem, const std::vector<March::Stop>& stops) {
+/// x of the contacts is that of the march, which is returned.
+March expect_marched(const Problem& problem, const std::vector<March::Stop>& stops) {
   March march(problem, stops);
   const Eigen::MatrixXd u = march.run(kPeriods, kCount);
   for (const Solution& solution : solutions(problem)) {
-    ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    EXPECT_EQ(solution.verdict, Verdict::converged) << solution.message;
+    if (!solution.trajectory) continue;
     const Eigen::MatrixXd found = solution.trajectory->sample(kCount).x;
     for (std::size_t j = 0; j < stops.size(); ++j) {
-      const Eigen::VectorXd x = u * stops[j].normal;
-      EXPECT_LT((found.col(static_cast<Eigen::Index>(j)) - x).cwiseAbs().maxCoeff(), kMarched)
-          << solution.message;
+      const auto column = static_cast<Eigen::Index>(j);
+      const Eigen::VectorXd x = u * stops[j].normal - march.compressions.col(column);
+      EXPECT_LT((found.col(column) - x).cwiseAbs().maxCoeff(), kMarched) << solution.message;
     }
   }
+  return march;
 }
 
 TEST(MixedLaws, RigidBesideRubber) {
@@ -150,6 +75,20 @@ TEST(MixedLaws, RigidBesideRubber) {
       "0.3\npenalty = 7.0\n");
   expect_marched(problem, {{.normal = along(0, 3), .gap = 0.4, .restitution = 0.6},
                            {.normal = along(2, 3, -1.0), .gap = 0.3, .stiffness = 7.0}});
+}
+
+// On the same mass the damped stop is pushed when the rigid one is struck, and let go by that.
+TEST(MixedLaws, RigidBesideDamped) {
+  const std::string rigid = "[[contact]]\ndof = 0\ngap = 0.4\nrestitution = 0.6\n";
+  const March::Stop stop{.normal = along(0, 3), .gap = 0.4, .restitution = 0.6};
+  const Problem apart = chain_before(
+      rigid + "[[contact]]\ndof = 2\nside = \"below\"\ngap = 0.3\npenalty = 7.0\ndamper = 0.8\n");
+  expect_marched(apart, {stop, {.normal = along(2, 3, -1.0), .gap = 0.3, .stiffness = 7.0, .damping = 0.8}});
+  const Problem same =
+      chain_before("[[contact]]\ndof = 0\ngap = 0.25\npenalty = 2.0\ndamper = 0.4\n" + rigid);
+  const March march =
+      expect_marched(same, {{.normal = along(0, 3), .gap = 0.25, .stiffness = 2.0, .damping = 0.4}, stop});
+  EXPECT_GT(march.struck_while_pushing, kPeriods / 2);
 }
 
 TEST(MixedLaws, TwoRestitutions) {

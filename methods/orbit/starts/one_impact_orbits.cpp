@@ -25,7 +25,7 @@ class ImpactBalance {
     const std::vector<bool> open(static_cast<std::size_t>(structure_.contact_count()), false);
     flow_ = &model.flows.of(open);
     const Eigen::Index n = structure_.size();
-    struck_ = Eigen::VectorXd::Zero(2 * n);
+    struck_ = Eigen::VectorXd::Zero(structure_.states());
     struck_.tail(n) = structure_.velocity_per_impulse.col(contact);
     const PeriodicClosure closure(*flow_, structure_.scales, period_);
     const Eigen::VectorXd w = structure_.directions.col(contact);
@@ -46,33 +46,33 @@ class ImpactBalance {
     return bordered_ ? bordered_->regular() : arc_ != nullptr && g0_ != 0.0 && std::isfinite(g0_);
   }
   [[nodiscard]] double impulse(double time) const {
-    if (bordered_) return struck_at(time)[2 * structure_.size()];
+    if (bordered_) return struck_at(time)[structure_.states()];
     return (structure_.gaps[contact_] - arc_->displacement(contact_, time)) / g0_;
   }
   // Of the law of impact [m/s].
   [[nodiscard]] double defect(double time) const {
     if (bordered_) {
       const Eigen::VectorXd struck = struck_at(time);
-      const Eigen::Index n = structure_.size();
+      const Eigen::Index p = structure_.positions(), n = structure_.size();
       const auto w = structure_.directions.col(contact_);
-      return (1.0 + e_) * w.dot(struck.segment(n, n)) - e_ * struck[2 * n] * w.dot(struck_.tail(n));
+      return (1.0 + e_) * w.dot(struck.segment(p, n)) - e_ * struck[p + n] * w.dot(struck_.tail(n));
     }
     return (1.0 + e_) * arc_->displacement(contact_, time, 1) + impulse(time) * (g_after_ + e_ * g_before_);
   }
   // The orbit with its impact at a time, from half a period before.
   [[nodiscard]] OrbitGuess orbit(double time) const {
-    const Eigen::Index n = structure_.size();
+    const Eigen::Index p = structure_.positions(), n = structure_.size();
     OrbitGuess guess{.start = {.time = time - 0.5 * period_, .state = {}, .closed = {}},
                      .events = {},
                      .origin = "one impact"};
     if (bordered_) {
       const Eigen::VectorXd struck = struck_at(time);
-      arc_->start(time, {.u = struck.head(n), .v = struck.segment(n, n)});
+      arc_->start(time, {.u = struck.head(p), .v = struck.segment(p, n)});
       arc_->state(time + 0.5 * period_, guess.start.state);
     } else {
       arc_->state(guess.start.time, guess.start.state);
       const Eigen::VectorXd y = impulse(time) * (flow_->transition(0.5 * period_) * after_);
-      guess.start.state.u += y.head(n);
+      guess.start.state.u += y.head(p);
       guess.start.state.v += y.tail(n);
     }
     guess.start.closed.assign(static_cast<std::size_t>(structure_.contact_count()), false);
@@ -88,29 +88,29 @@ class ImpactBalance {
  private:
   // Where free motions return by themselves: the contact's place is one more equation.
   void border(const Eigen::VectorXd& w) {
-    const Eigen::Index n = structure_.size();
+    const Eigen::Index p = structure_.positions(), n = structure_.size(), states = p + n;
     const double length = structure_.scales.displacement, speed = structure_.scales.velocity;
-    units_.resize(2 * n + 1);
-    units_ << Eigen::VectorXd::Constant(n, length), Eigen::VectorXd::Constant(n, speed),
+    units_.resize(states + 1);
+    units_ << Eigen::VectorXd::Constant(p, length), Eigen::VectorXd::Constant(n, speed),
         speed / w.dot(struck_.tail(n));
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2 * n + 1, 2 * n + 1);
-    matrix.topLeftCorner(2 * n, 2 * n) = -flow_->transition(period_);
-    matrix.diagonal().head(2 * n).array() += 1.0;
-    matrix.col(2 * n).head(2 * n) = -struck_;
-    matrix.row(2 * n).head(n) = w.transpose();
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(states + 1, states + 1);
+    matrix.topLeftCorner(states, states) = -flow_->transition(period_);
+    matrix.diagonal().head(states).array() += 1.0;
+    matrix.col(states).head(states) = -struck_;
+    matrix.row(states).head(n) = w.transpose();
     Eigen::VectorXd rows = units_;
-    rows[2 * n] = length;
+    rows[states] = length;
     bordered_.emplace(Eigen::MatrixXd(rows.cwiseInverse().asDiagonal() * matrix * units_.asDiagonal()));
     rows_ = rows;
     arc_ = flow_->arc();
   }
-  // The state right after an impact at a time and its impulse, 2 Nd + 1.
+  // The state right after an impact at a time and its impulse, Ns + 1.
   [[nodiscard]] Eigen::VectorXd struck_at(double time) const {
-    const Eigen::Index n = structure_.size();
-    State end;
-    arc_->start(time, {.u = Eigen::VectorXd::Zero(n), .v = Eigen::VectorXd::Zero(n)});
+    State end{.u = Eigen::VectorXd::Zero(structure_.positions()),
+              .v = Eigen::VectorXd::Zero(structure_.size())};
+    arc_->start(time, end);
     arc_->state(time + period_, end);
-    Eigen::VectorXd right(2 * n + 1);
+    Eigen::VectorXd right(structure_.states() + 1);
     right << end.u, end.v, structure_.gaps[contact_];
     return units_.cwiseProduct(bordered_->solve(right.cwiseQuotient(rows_)));
   }
@@ -119,7 +119,7 @@ class ImpactBalance {
   const int contact_;
   const double period_, e_;
   const LinearFlow* flow_ = nullptr;
-  Eigen::VectorXd struck_, after_;  // a unit impulse, the state right after periodic ones, 2 Nd
+  Eigen::VectorXd struck_, after_;  // a unit impulse, the state right after periodic ones, Ns
   double g0_ = 0.0, g_after_ = 0.0, g_before_ = 0.0;
   std::unique_ptr<LinearArc> arc_;             // the contact-free motion
   std::optional<CompleteLuFactors> bordered_;  // [I - Phi, -M^-1 W; W^T, 0] in these units

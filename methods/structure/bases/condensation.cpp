@@ -113,11 +113,10 @@ CondensedStructure with_open_contacts(CondensedStructure all, const std::vector<
 std::string flow_obstacle(const Problem& problem) {
   const CondensedStructure structure = condense(problem);
   if (!structure.obstacle.empty()) return structure.obstacle;
-  if (structure.relaxation > 0.0 && std::holds_alternative<MixedLaws>(problem.law()))
-    return "a damped stop, or damping at coordinates without mass, is not followed through time beside "
-           "contacts of another law";
   if (structure.relaxation > 0.0 && has_springs(problem))
-    return "a spring acts on a coordinate without mass that is damped";
+    return "a stop that is a spring alone is not followed through time beside damped ones, or on a "
+           "coordinate "
+           "without mass that is damped";
   if (structure.relaxation > 0.0 && problem.size() > kMostRelaxing)
     return fmt::format("{} coordinates: at most {} are followed through time where massless ones are damped",
                        problem.size(), kMostRelaxing);

@@ -215,8 +215,10 @@ TEST(MasslessContacts, DampedOtherwiseAreRefusedWithTheReason) {
   sprung.edit_structure([&](Structure& s) { s.damping = SparseMatrix(0.1 * s.stiffness); });
   EXPECT_EQ(EventDriven({}).supports(sprung).reason, "");
   sprung.set_law(Penalty{.stiffness = {50.0}});
-  EXPECT_EQ(EventDriven({}).supports(sprung).reason,
-            "a spring acts on a coordinate without mass that is damped");
+  EXPECT_EQ(
+      EventDriven({}).supports(sprung).reason,
+      "a stop that is a spring alone is not followed through time beside damped ones, or on a coordinate "
+      "without mass that is damped");
 }
 
 /// Radius of the synchronous full rub of oracle 1i without friction: the solutions of

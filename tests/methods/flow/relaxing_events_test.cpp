@@ -177,35 +177,42 @@ TEST(RelaxingEvents, EqualContactsCloseAndOpenTogether) {
   }
 }
 
-// The derivative of the flow through closings and openings, by differences.
+// The derivative of the flow through closings and openings, by differences, and beside a rigid stop through
+// impacts while a damped one is pushed.
 TEST(RelaxingEvents, SaltationIsTheDerivativeOfTheFlow) {
-  const ContactDynamics dynamics(test::damped_coupled_scene(1, 0.2));
-  const int states = dynamics.states(), p = dynamics.positions();
-  for (const Integrator integrator : {Integrator::modal, Integrator::cvode}) {
-    EventFlow flow(dynamics, 1e-12, kNever, integrator);
-    FlowState start = flow.place(0.0, dynamics.at_rest());
-    FlowRecord ignored;
-    flow.advance(start, 3.0, ignored);
-    while (std::find(start.closed.begin(), start.closed.end(), true) != start.closed.end())
-      flow.advance(start, 0.05, ignored);
-    FlowRecord record;
-    record.tangent = true;
-    FlowState end = start;
-    flow.advance(end, 6.0, record);
-    ASSERT_GE(record.events.size(), 2U);
-    constexpr double kStep = 1e-6;
-    for (int i = 0; i < states; ++i) {
-      const auto moved = [&](double step) {
-        FlowState other = start;
-        (i < p ? other.state.u[i] : other.state.v[i - p]) += step;
-        FlowRecord none;
-        flow.advance(other, 6.0, none);
-        Eigen::VectorXd y(states);
-        y << other.state.u, other.state.v;
-        return y;
-      };
-      const Eigen::VectorXd slope = (moved(kStep) - moved(-kStep)) / (2.0 * kStep);
-      EXPECT_LT((slope - record.derivative.col(i)).norm(), 1e-5 * (1.0 + slope.norm())) << i;
+  Problem beside_rigid = test::damped_coupled_scene(1, 0.2);
+  beside_rigid.contacts.push_back({.normal = {{0, 1.0}}, .gap = 0.25, .law = Restitution{0.7}});
+  for (const Problem& problem : {test::damped_coupled_scene(1, 0.2), beside_rigid}) {
+    const ContactDynamics dynamics(problem);
+    const int states = dynamics.states(), p = dynamics.positions();
+    for (const Integrator integrator : {Integrator::modal, Integrator::cvode}) {
+      EventFlow flow(dynamics, 1e-12, kNever, integrator);
+      FlowState start = flow.place(0.0, dynamics.at_rest());
+      FlowRecord ignored;
+      flow.advance(start, 3.0, ignored);
+      while (std::find(start.closed.begin(), start.closed.end(), true) != start.closed.end())
+        flow.advance(start, 0.05, ignored);
+      FlowRecord record;
+      record.tangent = true;
+      FlowState end = start;
+      flow.advance(end, 6.0, record);
+      ASSERT_GE(record.events.size(), 2U);
+      constexpr double kStep = 1e-6;
+      for (int i = 0; i < states; ++i) {
+        if (i >= dynamics.size() && i < p && dynamics.rigid(i - dynamics.size()))
+          continue;  // gives way never
+        const auto moved = [&](double step) {
+          FlowState other = start;
+          (i < p ? other.state.u[i] : other.state.v[i - p]) += step;
+          FlowRecord none;
+          flow.advance(other, 6.0, none);
+          Eigen::VectorXd y(states);
+          y << other.state.u, other.state.v;
+          return y;
+        };
+        const Eigen::VectorXd slope = (moved(kStep) - moved(-kStep)) / (2.0 * kStep);
+        EXPECT_LT((slope - record.derivative.col(i)).norm(), 1e-5 * (1.0 + slope.norm())) << i;
+      }
     }
   }
 }
