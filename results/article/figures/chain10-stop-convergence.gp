@@ -9,46 +9,77 @@ set output 'chain10-stop-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [3.33e+00:2.46e+04]
-set yrange [7.35e-05:2.21e-01]
+set yrange [7.36e-05:4.01e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.724
-set label 'penalty-hbm' at graph 1.06,0.1372 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,2.205477e-04 to graph 1.05,0.1372 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.1992 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,2.209479e-04 to graph 1.05,0.1992 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2612 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,2.209479e-04 to graph 1.05,0.2612 nohead lc rgb '#009E73' lw 0.5 back
-set label 'augmented-lagrangian' at graph 1.06,0.3232 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.600000e+02,2.209479e-04 to graph 1.05,0.3232 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.3852 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,1.227616e-03 to graph 1.05,0.3852 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 4.0000e+00,2.9406e-04 to 8.0000e+00,1.4703e-04 to 4.0000e+00,1.4703e-04 to 4.0000e+00,2.9406e-04 fillstyle empty border lc rgb '#666666'
-set label '1' at 8.0000e+00,2.0793e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 4.0000e+00,4.7050e-03 to 8.0000e+00,1.1763e-03 to 4.0000e+00,1.1763e-03 to 4.0000e+00,4.7050e-03 fillstyle empty border lc rgb '#666666'
-set label '2' at 8.0000e+00,2.3525e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '10' at 1.000000e+01,1.299312e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 2.000000e+01,5.067281e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,1.742944e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,6.213566e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,2.209479e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '128' at 1.280000e+02,7.379318e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '512' at 5.120000e+02,1.520247e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,4.735112e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,1.227616e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set rmargin at screen 0.500
+set label 'closed-hbm' at graph 1.06,0.1277 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,2.209479e-04 to graph 1.05,0.1277 nohead lc rgb '#000000' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.3929 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,2.162955e-03 to graph 1.05,0.3929 nohead lc rgb '#009E73' lw 0.5 back
+set label 'augmented-lagrangian[plain=true]' at graph 1.06,0.5660 left font ',9' textcolor rgb '#56B4E9' noenhanced
+set arrow from 1.600000e+02,9.667502e-03 to graph 1.05,0.5660 nohead lc rgb '#56B4E9' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.6280 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,9.667502e-03 to graph 1.05,0.6280 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.6900 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,1.275698e-02 to graph 1.05,0.6900 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.7520 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,1.358554e-02 to graph 1.05,0.7520 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.8140 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 1.600000e+02,1.358554e-02 to graph 1.05,0.8140 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e4x]' at graph 1.06,0.8760 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,2.602432e-02 to graph 1.05,0.8760 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e5x]' at graph 1.06,0.9380 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.600000e+02,3.031265e-02 to graph 1.05,0.9380 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=100x]' at graph 1.06,1.0000 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,7.946071e-02 to graph 1.05,1.0000 nohead lc rgb '#000000' lw 0.5 back
+set object polygon from 4.0000e+00,2.9460e-04 to 8.0000e+00,1.4730e-04 to 4.0000e+00,1.4730e-04 to 4.0000e+00,2.9460e-04 fillstyle empty border lc rgb '#666666'
+set label '1' at 8.0000e+00,2.0831e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 4.0000e+00,4.7136e-03 to 8.0000e+00,1.1784e-03 to 4.0000e+00,1.1784e-03 to 4.0000e+00,4.7136e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 8.0000e+00,2.3568e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '40' at 4.000000e+01,3.090791e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 8.000000e+01,1.635884e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,1.358554e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 2.000000e+01,1.337553e-01 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 8.000000e+01,1.141187e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.600000e+02,9.667502e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '10' at 1.000000e+01,1.299312e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.000000e+01,5.067281e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40' at 4.000000e+01,1.742944e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '80' at 8.000000e+01,6.213566e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '160' at 1.600000e+02,2.209479e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '128' at 1.280000e+02,1.321306e-01 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '512' at 5.120000e+02,2.459502e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,8.273211e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,2.162955e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '40' at 4.000000e+01,2.274643e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,2.602432e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.000000e+01,7.974295e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 4.000000e+01,7.355942e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '160' at 1.600000e+02,7.946071e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+  data index 4 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
+  data index 5 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 7 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 9 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#009E73' pt 13 ps 1.1 notitle, \
+  data index 12 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 13 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle, \
+  data index 14 with lines lc rgb '#0072B2' dt '-' lw 1.6 notitle, \
+  data index 15 with points lc rgb '#0072B2' pt 11 ps 1.1 notitle, \
+  data index 16 with lines lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 17 with points lc rgb '#D55E00' pt 13 ps 1.1 notitle, \
+  data index 18 with lines lc rgb '#000000' dt 1 lw 1.6 notitle, \
+  data index 19 with points lc rgb '#000000' pt 9 ps 1.1 notitle
 unset output
 }

@@ -9,50 +9,72 @@ set output 'chain2-penalty-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [1.67e+00:2.46e+04]
-set yrange [1.44e-07:1.76e-01]
+set yrange [1.71e-05:2.21e+00]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.724
-set label 'augmented-lagrangian' at graph 1.06,0.0784 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.600000e+02,4.324082e-07 to graph 1.05,0.0784 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'penalty-hbm' at graph 1.06,0.1404 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,4.324083e-07 to graph 1.05,0.1404 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.2024 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,4.333244e-07 to graph 1.05,0.2024 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2644 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,4.333244e-07 to graph 1.05,0.2644 nohead lc rgb '#009E73' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.3264 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,7.617098e-06 to graph 1.05,0.3264 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 2.0000e+00,5.7654e-07 to 4.0000e+00,2.8827e-07 to 2.0000e+00,2.8827e-07 to 2.0000e+00,5.7654e-07 fillstyle empty border lc rgb '#666666'
-set label '1' at 4.0000e+00,4.0768e-07 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 2.0000e+00,9.2247e-06 to 4.0000e+00,2.3062e-06 to 2.0000e+00,2.3062e-06 to 2.0000e+00,9.2247e-06 fillstyle empty border lc rgb '#666666'
-set label '2' at 4.0000e+00,4.6124e-06 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '5' at 5.000000e+00,5.866778e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.000000e+01,1.604151e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 2.000000e+01,2.261525e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,4.717726e-05 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,4.028597e-06 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,4.333244e-07 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '5' at 5.000000e+00,3.239699e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '10' at 1.000000e+01,9.695253e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '20' at 2.000000e+01,1.550204e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '128' at 1.280000e+02,2.177756e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '512' at 5.120000e+02,8.673447e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,3.374001e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,7.617098e-06 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set rmargin at screen 0.500
+set label 'penalty-hbm' at graph 1.06,0.0933 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,5.118709e-05 to graph 1.05,0.0933 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.1553 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,5.118709e-05 to graph 1.05,0.1553 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=100x]' at graph 1.06,0.2173 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,5.373841e-05 to graph 1.05,0.2173 nohead lc rgb '#000000' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.2793 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,7.145428e-05 to graph 1.05,0.2793 nohead lc rgb '#009E73' lw 0.5 back
+set label 'closed-hbm' at graph 1.06,0.3413 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,8.881538e-05 to graph 1.05,0.3413 nohead lc rgb '#000000' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.4033 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 1.600000e+02,8.881538e-05 to graph 1.05,0.4033 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.4653 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,8.881538e-05 to graph 1.05,0.4653 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'aft-hbm[plain=true,continuation=frequency]' at graph 1.06,0.5877 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.600000e+02,1.723196e-02 to graph 1.05,0.5877 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'fourier-lipschitz[plain=true,continuation=frequency]' at graph 1.06,0.6497 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,1.723196e-02 to graph 1.05,0.6497 nohead lc rgb '#E69F00' lw 0.5 back
+set object polygon from 2.0000e+00,6.8249e-05 to 4.0000e+00,3.4125e-05 to 2.0000e+00,3.4125e-05 to 2.0000e+00,6.8249e-05 fillstyle empty border lc rgb '#666666'
+set label '1' at 4.0000e+00,4.8260e-05 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 2.0000e+00,1.0920e-03 to 4.0000e+00,2.7300e-04 to 2.0000e+00,2.7300e-04 to 2.0000e+00,1.0920e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 4.0000e+00,5.4600e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '5' at 5.000000e+00,6.827084e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.000000e+01,4.309805e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '20' at 2.000000e+01,1.534222e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 4.000000e+01,6.590027e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 8.000000e+01,1.038669e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,8.881538e-05 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.000000e+01,7.357904e-01 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '40' at 4.000000e+01,1.756775e-01 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '160' at 1.600000e+02,1.723196e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '5' at 5.000000e+00,3.619875e-01 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '10' at 1.000000e+01,2.379215e-01 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 2.000000e+01,9.387614e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 4.000000e+01,3.295801e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 8.000000e+01,5.805059e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.600000e+02,5.118709e-05 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '128' at 1.280000e+02,1.601981e-01 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '512' at 5.120000e+02,1.419143e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,1.600782e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,7.145428e-05 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+  data index 2 with lines lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#D55E00' pt 7 ps 1.1 notitle, \
+  data index 4 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 7 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 9 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#E69F00' pt 15 ps 1.1 notitle, \
+  data index 12 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 13 with points lc rgb '#009E73' pt 13 ps 1.1 notitle, \
+  data index 14 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 15 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle, \
+  data index 16 with lines lc rgb '#000000' dt 1 lw 1.6 notitle, \
+  data index 17 with points lc rgb '#000000' pt 9 ps 1.1 notitle
 unset output
 }

@@ -9,24 +9,36 @@ set output 'chain3-massless-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [1.67e+00:2.46e+04]
 set yrange [4.22e-06:2.76e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.724
-set label 'hat-lcp' at graph 1.06,0.0991 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,1.266682e-05 to graph 1.05,0.0991 nohead lc rgb '#000000' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.3689 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,2.522940e-04 to graph 1.05,0.3689 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.4309 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,2.522940e-04 to graph 1.05,0.4309 nohead lc rgb '#009E73' lw 0.5 back
-set label 'augmented-lagrangian' at graph 1.06,0.4929 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.600000e+02,3.273856e-04 to graph 1.05,0.4929 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'penalty-hbm' at graph 1.06,0.5549 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,1.290375e-03 to graph 1.05,0.5549 nohead lc rgb '#D55E00' lw 0.5 back
+set rmargin at screen 0.500
+set label 'hat-lcp' at graph 1.06,0.0991 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,1.266682e-05 to graph 1.05,0.0991 nohead lc rgb '#009E73' lw 0.5 back
+set label 'aft-hbm[plain=true,continuation=frequency]' at graph 1.06,0.3633 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.600000e+02,2.372041e-04 to graph 1.05,0.3633 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'fourier-lipschitz[plain=true,continuation=frequency]' at graph 1.06,0.4253 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,2.372041e-04 to graph 1.05,0.4253 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.4873 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,2.522940e-04 to graph 1.05,0.4873 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'closed-hbm' at graph 1.06,0.5493 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,2.522940e-04 to graph 1.05,0.5493 nohead lc rgb '#000000' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.6113 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 1.600000e+02,2.522940e-04 to graph 1.05,0.6113 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.6733 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,3.273856e-04 to graph 1.05,0.6733 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e4x]' at graph 1.06,0.7353 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,4.538062e-04 to graph 1.05,0.7353 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e5x]' at graph 1.06,0.7973 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.600000e+02,5.111858e-04 to graph 1.05,0.7973 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.8593 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,1.290375e-03 to graph 1.05,0.8593 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=100x]' at graph 1.06,0.9213 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,6.545114e-03 to graph 1.05,0.9213 nohead lc rgb '#000000' lw 0.5 back
 set object polygon from 2.0000e+00,1.6889e-05 to 4.0000e+00,8.4445e-06 to 2.0000e+00,8.4445e-06 to 2.0000e+00,1.6889e-05 fillstyle empty border lc rgb '#666666'
 set label '1' at 4.0000e+00,1.1942e-05 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
 set object polygon from 2.0000e+00,2.7023e-04 to 4.0000e+00,6.7556e-05 to 2.0000e+00,6.7556e-05 to 2.0000e+00,2.7023e-04 fillstyle empty border lc rgb '#666666'
@@ -36,25 +48,41 @@ set label '20' at 2.000000e+01,7.758753e-03 offset 0.4,0.5 font ',7' textcolor r
 set label '40' at 4.000000e+01,2.315190e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
 set label '80' at 8.000000e+01,7.702444e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
 set label '160' at 1.600000e+02,2.522940e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.000000e+01,2.876872e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
 set label '5' at 5.000000e+00,9.202605e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
 set label '20' at 2.000000e+01,1.584734e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '128' at 1.280000e+02,8.961175e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '512' at 5.120000e+02,4.874716e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,1.049774e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,1.266682e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '20' at 2.000000e+01,1.072303e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '40' at 4.000000e+01,8.388665e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '80' at 8.000000e+01,3.426578e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
-set label '160' at 1.600000e+02,1.290375e-03 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '128' at 1.280000e+02,8.961175e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '512' at 5.120000e+02,4.874716e-04 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,1.049774e-04 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,1.266682e-05 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '20' at 2.000000e+01,1.072303e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 4.000000e+01,8.388665e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 8.000000e+01,3.426578e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.600000e+02,1.290375e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 4.000000e+01,4.229324e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,4.538062e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,6.545114e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+  data index 2 with lines lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#D55E00' pt 7 ps 1.1 notitle, \
+  data index 4 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 7 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 9 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#E69F00' pt 15 ps 1.1 notitle, \
+  data index 12 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 13 with points lc rgb '#009E73' pt 13 ps 1.1 notitle, \
+  data index 14 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 15 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle, \
+  data index 16 with lines lc rgb '#0072B2' dt '-' lw 1.6 notitle, \
+  data index 17 with points lc rgb '#0072B2' pt 11 ps 1.1 notitle, \
+  data index 18 with lines lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 19 with points lc rgb '#D55E00' pt 13 ps 1.1 notitle, \
+  data index 20 with lines lc rgb '#000000' dt 1 lw 1.6 notitle, \
+  data index 21 with points lc rgb '#000000' pt 9 ps 1.1 notitle
 unset output
 }

@@ -1,14 +1,14 @@
 # gnuplot profile-1.gp makes profile-1.svg and profile-1.pdf of profile-1.dat
 data = 'profile-1.dat'
-svg = "svg size 680,414 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
-pdf = "pdfcairo size 18.0cm,11.0cm font 'sans,9' dashlength 0.7 rounded"
+svg = "svg size 680,453 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 18.0cm,12.0cm font 'sans,9' dashlength 0.7 rounded"
 do for [format in 'svg pdf'] {
 reset
 eval 'set terminal '.(format eq 'svg' ? svg : pdf)
 set output 'profile-1.'.format
-set multiplot layout 1,3 margins 0.11,0.99,0.453,0.900 spacing 0.03,0.000
+set multiplot layout 1,3 margins 0.11,0.99,0.499,0.908 spacing 0.03,0.000
 set logscale x
-set xrange [1:7.517095e+02]
+set xrange [1.000000e+00:8.666298e+02]
 set yrange [-0.02:1.02]
 set ytics 0,0.25,1
 set grid back lc rgb '#cccccc' lw 0.5
@@ -47,92 +47,122 @@ plot data index 0 with steps lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 12 with points lc rgb '#56B4E9' pt 5 ps 0.6 notitle, \
   data index 13 with steps lc rgb '#000000' dt '_.' lw 1.6 notitle, \
   data index 13 with points lc rgb '#000000' pt 7 ps 0.6 notitle, \
-  data index 14 with steps lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 14 with points lc rgb '#D55E00' pt 11 ps 0.6 notitle, \
-  data index 15 with steps lc rgb '#009E73' dt '-' lw 1.6 notitle, \
-  data index 15 with points lc rgb '#009E73' pt 13 ps 0.6 notitle, \
-  data index 16 with steps lc rgb '#CC79A7' dt '.' lw 1.6 notitle, \
-  data index 16 with points lc rgb '#CC79A7' pt 15 ps 0.6 notitle, \
+  data index 14 with steps lc rgb '#0072B2' dt '..-' lw 1.6 notitle, \
+  data index 14 with points lc rgb '#0072B2' pt 9 ps 0.6 notitle, \
+  data index 15 with steps lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
+  data index 15 with points lc rgb '#D55E00' pt 11 ps 0.6 notitle, \
+  data index 16 with steps lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 16 with points lc rgb '#009E73' pt 13 ps 0.6 notitle, \
   data index 17 with steps lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
-  data index 17 with points lc rgb '#E69F00' pt 5 ps 0.6 notitle
+  data index 17 with points lc rgb '#E69F00' pt 5 ps 0.6 notitle, \
+  data index 18 with steps lc rgb '#56B4E9' dt '..-' lw 1.6 notitle, \
+  data index 18 with points lc rgb '#56B4E9' pt 7 ps 0.6 notitle, \
+  data index 19 with steps lc rgb '#000000' dt 1 lw 1.6 notitle, \
+  data index 19 with points lc rgb '#000000' pt 9 ps 0.6 notitle, \
+  data index 20 with steps lc rgb '#0072B2' dt '-' lw 1.6 notitle, \
+  data index 20 with points lc rgb '#0072B2' pt 11 ps 0.6 notitle, \
+  data index 21 with steps lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 21 with points lc rgb '#D55E00' pt 13 ps 0.6 notitle, \
+  data index 22 with steps lc rgb '#009E73' dt '_.' lw 1.6 notitle, \
+  data index 22 with points lc rgb '#009E73' pt 15 ps 0.6 notitle
 set format y ''
 unset ylabel
 set title 'error 10^{-3}'
-plot data index 18 with steps lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 18 with points lc rgb '#0072B2' pt 5 ps 0.6 notitle, \
-  data index 19 with steps lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
-  data index 19 with points lc rgb '#D55E00' pt 7 ps 0.6 notitle, \
-  data index 20 with steps lc rgb '#009E73' dt '.' lw 1.6 notitle, \
-  data index 20 with points lc rgb '#009E73' pt 9 ps 0.6 notitle, \
-  data index 21 with steps lc rgb '#CC79A7' dt '_.' lw 1.6 notitle, \
-  data index 21 with points lc rgb '#CC79A7' pt 11 ps 0.6 notitle, \
-  data index 22 with steps lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 22 with points lc rgb '#E69F00' pt 13 ps 0.6 notitle, \
-  data index 23 with steps lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 23 with points lc rgb '#56B4E9' pt 15 ps 0.6 notitle, \
-  data index 24 with steps lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 24 with points lc rgb '#000000' pt 5 ps 0.6 notitle, \
-  data index 25 with steps lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 25 with points lc rgb '#0072B2' pt 7 ps 0.6 notitle, \
-  data index 26 with steps lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
-  data index 26 with points lc rgb '#D55E00' pt 9 ps 0.6 notitle, \
-  data index 27 with steps lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 27 with points lc rgb '#009E73' pt 11 ps 0.6 notitle, \
-  data index 28 with steps lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
-  data index 28 with points lc rgb '#CC79A7' pt 13 ps 0.6 notitle, \
-  data index 29 with steps lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 29 with points lc rgb '#E69F00' pt 15 ps 0.6 notitle, \
-  data index 30 with steps lc rgb '#56B4E9' dt '.' lw 1.6 notitle, \
-  data index 30 with points lc rgb '#56B4E9' pt 5 ps 0.6 notitle, \
-  data index 31 with steps lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 31 with points lc rgb '#000000' pt 7 ps 0.6 notitle, \
-  data index 32 with steps lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 32 with points lc rgb '#D55E00' pt 11 ps 0.6 notitle, \
-  data index 33 with steps lc rgb '#009E73' dt '-' lw 1.6 notitle, \
-  data index 33 with points lc rgb '#009E73' pt 13 ps 0.6 notitle, \
-  data index 34 with steps lc rgb '#CC79A7' dt '.' lw 1.6 notitle, \
-  data index 34 with points lc rgb '#CC79A7' pt 15 ps 0.6 notitle, \
-  data index 35 with steps lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
-  data index 35 with points lc rgb '#E69F00' pt 5 ps 0.6 notitle
+plot data index 23 with steps lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 23 with points lc rgb '#0072B2' pt 5 ps 0.6 notitle, \
+  data index 24 with steps lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
+  data index 24 with points lc rgb '#D55E00' pt 7 ps 0.6 notitle, \
+  data index 25 with steps lc rgb '#009E73' dt '.' lw 1.6 notitle, \
+  data index 25 with points lc rgb '#009E73' pt 9 ps 0.6 notitle, \
+  data index 26 with steps lc rgb '#CC79A7' dt '_.' lw 1.6 notitle, \
+  data index 26 with points lc rgb '#CC79A7' pt 11 ps 0.6 notitle, \
+  data index 27 with steps lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 27 with points lc rgb '#E69F00' pt 13 ps 0.6 notitle, \
+  data index 28 with steps lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
+  data index 28 with points lc rgb '#56B4E9' pt 15 ps 0.6 notitle, \
+  data index 29 with steps lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 29 with points lc rgb '#000000' pt 5 ps 0.6 notitle, \
+  data index 30 with steps lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
+  data index 30 with points lc rgb '#0072B2' pt 7 ps 0.6 notitle, \
+  data index 31 with steps lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
+  data index 31 with points lc rgb '#D55E00' pt 9 ps 0.6 notitle, \
+  data index 32 with steps lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
+  data index 32 with points lc rgb '#009E73' pt 11 ps 0.6 notitle, \
+  data index 33 with steps lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 33 with points lc rgb '#CC79A7' pt 13 ps 0.6 notitle, \
+  data index 34 with steps lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
+  data index 34 with points lc rgb '#E69F00' pt 15 ps 0.6 notitle, \
+  data index 35 with steps lc rgb '#56B4E9' dt '.' lw 1.6 notitle, \
+  data index 35 with points lc rgb '#56B4E9' pt 5 ps 0.6 notitle, \
+  data index 36 with steps lc rgb '#000000' dt '_.' lw 1.6 notitle, \
+  data index 36 with points lc rgb '#000000' pt 7 ps 0.6 notitle, \
+  data index 37 with steps lc rgb '#0072B2' dt '..-' lw 1.6 notitle, \
+  data index 37 with points lc rgb '#0072B2' pt 9 ps 0.6 notitle, \
+  data index 38 with steps lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
+  data index 38 with points lc rgb '#D55E00' pt 11 ps 0.6 notitle, \
+  data index 39 with steps lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 39 with points lc rgb '#009E73' pt 13 ps 0.6 notitle, \
+  data index 40 with steps lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 40 with points lc rgb '#E69F00' pt 5 ps 0.6 notitle, \
+  data index 41 with steps lc rgb '#56B4E9' dt '..-' lw 1.6 notitle, \
+  data index 41 with points lc rgb '#56B4E9' pt 7 ps 0.6 notitle, \
+  data index 42 with steps lc rgb '#000000' dt 1 lw 1.6 notitle, \
+  data index 42 with points lc rgb '#000000' pt 9 ps 0.6 notitle, \
+  data index 43 with steps lc rgb '#0072B2' dt '-' lw 1.6 notitle, \
+  data index 43 with points lc rgb '#0072B2' pt 11 ps 0.6 notitle, \
+  data index 44 with steps lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 44 with points lc rgb '#D55E00' pt 13 ps 0.6 notitle, \
+  data index 45 with steps lc rgb '#009E73' dt '_.' lw 1.6 notitle, \
+  data index 45 with points lc rgb '#009E73' pt 15 ps 0.6 notitle
 set format y ''
 unset ylabel
 set title 'error 10^{-6}'
-plot data index 36 with steps lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 36 with points lc rgb '#0072B2' pt 5 ps 0.6 notitle, \
-  data index 37 with steps lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
-  data index 37 with points lc rgb '#D55E00' pt 7 ps 0.6 notitle, \
-  data index 38 with steps lc rgb '#009E73' dt '.' lw 1.6 notitle, \
-  data index 38 with points lc rgb '#009E73' pt 9 ps 0.6 notitle, \
-  data index 39 with steps lc rgb '#CC79A7' dt '_.' lw 1.6 notitle, \
-  data index 39 with points lc rgb '#CC79A7' pt 11 ps 0.6 notitle, \
-  data index 40 with steps lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 40 with points lc rgb '#E69F00' pt 13 ps 0.6 notitle, \
-  data index 41 with steps lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 41 with points lc rgb '#56B4E9' pt 15 ps 0.6 notitle, \
-  data index 42 with steps lc rgb '#000000' dt '-' lw 1.6 notitle, \
-  data index 42 with points lc rgb '#000000' pt 5 ps 0.6 notitle, \
-  data index 43 with steps lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
-  data index 43 with points lc rgb '#0072B2' pt 7 ps 0.6 notitle, \
-  data index 44 with steps lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
-  data index 44 with points lc rgb '#D55E00' pt 9 ps 0.6 notitle, \
-  data index 45 with steps lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 45 with points lc rgb '#009E73' pt 11 ps 0.6 notitle, \
-  data index 46 with steps lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
-  data index 46 with points lc rgb '#CC79A7' pt 13 ps 0.6 notitle, \
-  data index 47 with steps lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
-  data index 47 with points lc rgb '#E69F00' pt 15 ps 0.6 notitle, \
-  data index 48 with steps lc rgb '#56B4E9' dt '.' lw 1.6 notitle, \
-  data index 48 with points lc rgb '#56B4E9' pt 5 ps 0.6 notitle, \
-  data index 49 with steps lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 49 with points lc rgb '#000000' pt 7 ps 0.6 notitle, \
-  data index 50 with steps lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 50 with points lc rgb '#D55E00' pt 11 ps 0.6 notitle, \
-  data index 51 with steps lc rgb '#009E73' dt '-' lw 1.6 notitle, \
-  data index 51 with points lc rgb '#009E73' pt 13 ps 0.6 notitle, \
-  data index 52 with steps lc rgb '#CC79A7' dt '.' lw 1.6 notitle, \
-  data index 52 with points lc rgb '#CC79A7' pt 15 ps 0.6 notitle, \
-  data index 53 with steps lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
-  data index 53 with points lc rgb '#E69F00' pt 5 ps 0.6 notitle
+plot data index 46 with steps lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 46 with points lc rgb '#0072B2' pt 5 ps 0.6 notitle, \
+  data index 47 with steps lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
+  data index 47 with points lc rgb '#D55E00' pt 7 ps 0.6 notitle, \
+  data index 48 with steps lc rgb '#009E73' dt '.' lw 1.6 notitle, \
+  data index 48 with points lc rgb '#009E73' pt 9 ps 0.6 notitle, \
+  data index 49 with steps lc rgb '#CC79A7' dt '_.' lw 1.6 notitle, \
+  data index 49 with points lc rgb '#CC79A7' pt 11 ps 0.6 notitle, \
+  data index 50 with steps lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 50 with points lc rgb '#E69F00' pt 13 ps 0.6 notitle, \
+  data index 51 with steps lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
+  data index 51 with points lc rgb '#56B4E9' pt 15 ps 0.6 notitle, \
+  data index 52 with steps lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 52 with points lc rgb '#000000' pt 5 ps 0.6 notitle, \
+  data index 53 with steps lc rgb '#0072B2' dt '.' lw 1.6 notitle, \
+  data index 53 with points lc rgb '#0072B2' pt 7 ps 0.6 notitle, \
+  data index 54 with steps lc rgb '#D55E00' dt '_.' lw 1.6 notitle, \
+  data index 54 with points lc rgb '#D55E00' pt 9 ps 0.6 notitle, \
+  data index 55 with steps lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
+  data index 55 with points lc rgb '#009E73' pt 11 ps 0.6 notitle, \
+  data index 56 with steps lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 56 with points lc rgb '#CC79A7' pt 13 ps 0.6 notitle, \
+  data index 57 with steps lc rgb '#E69F00' dt '-' lw 1.6 notitle, \
+  data index 57 with points lc rgb '#E69F00' pt 15 ps 0.6 notitle, \
+  data index 58 with steps lc rgb '#56B4E9' dt '.' lw 1.6 notitle, \
+  data index 58 with points lc rgb '#56B4E9' pt 5 ps 0.6 notitle, \
+  data index 59 with steps lc rgb '#000000' dt '_.' lw 1.6 notitle, \
+  data index 59 with points lc rgb '#000000' pt 7 ps 0.6 notitle, \
+  data index 60 with steps lc rgb '#0072B2' dt '..-' lw 1.6 notitle, \
+  data index 60 with points lc rgb '#0072B2' pt 9 ps 0.6 notitle, \
+  data index 61 with steps lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
+  data index 61 with points lc rgb '#D55E00' pt 11 ps 0.6 notitle, \
+  data index 62 with steps lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 62 with points lc rgb '#009E73' pt 13 ps 0.6 notitle, \
+  data index 63 with steps lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 63 with points lc rgb '#E69F00' pt 5 ps 0.6 notitle, \
+  data index 64 with steps lc rgb '#56B4E9' dt '..-' lw 1.6 notitle, \
+  data index 64 with points lc rgb '#56B4E9' pt 7 ps 0.6 notitle, \
+  data index 65 with steps lc rgb '#000000' dt 1 lw 1.6 notitle, \
+  data index 65 with points lc rgb '#000000' pt 9 ps 0.6 notitle, \
+  data index 66 with steps lc rgb '#0072B2' dt '-' lw 1.6 notitle, \
+  data index 66 with points lc rgb '#0072B2' pt 11 ps 0.6 notitle, \
+  data index 67 with steps lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 67 with points lc rgb '#D55E00' pt 13 ps 0.6 notitle, \
+  data index 68 with steps lc rgb '#009E73' dt '_.' lw 1.6 notitle, \
+  data index 68 with points lc rgb '#009E73' pt 15 ps 0.6 notitle
 set format y ''
 unset ylabel
 unset logscale
@@ -145,29 +175,34 @@ unset title
 set lmargin at screen 0.02
 set rmargin at screen 0.98
 set bmargin at screen 0.00
-set tmargin at screen 0.32
+set tmargin at screen 0.37
 set xrange [0:1]
 set yrange [0:1]  # what must be plotted beside a key lies outside
 set key center center horizontal maxcols 2 Left reverse samplen 2 width -4 font ',8' noenhanced
 plot 2 notitle, \
   keyentry with linespoints lc rgb '#0072B2' dt 1 lw 1.6 pt 5 title 'aft-hbm', \
   keyentry with linespoints lc rgb '#D55E00' dt '-' lw 1.6 pt 7 title 'aft-hbm[plain=true,continuation=frequency]', \
-  keyentry with linespoints lc rgb '#009E73' dt '.' lw 1.6 pt 9 title 'aft-hbm[plain=true,homotopy=true]', \
+  keyentry with linespoints lc rgb '#009E73' dt '.' lw 1.6 pt 9 title 'aft-hbm[plain=true,homotopy=true,c=1e5]', \
   keyentry with linespoints lc rgb '#CC79A7' dt '_.' lw 1.6 pt 11 title 'aft-hbm[plain=true]', \
   keyentry with linespoints lc rgb '#E69F00' dt '..-' lw 1.6 pt 13 title 'augmented-lagrangian', \
   keyentry with linespoints lc rgb '#56B4E9' dt 1 lw 1.6 pt 15 title 'augmented-lagrangian[plain=true]', \
-  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt 5 title 'event-driven[flow=cvode]', \
-  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt 7 title 'event-driven[flow=modal]', \
-  keyentry with linespoints lc rgb '#D55E00' dt '_.' lw 1.6 pt 9 title 'exact-orbit', \
-  keyentry with linespoints lc rgb '#009E73' dt '..-' lw 1.6 pt 11 title 'fourier-lipschitz', \
-  keyentry with linespoints lc rgb '#CC79A7' dt 1 lw 1.6 pt 13 title 'fourier-lipschitz[plain=true,continuation=frequency]', \
-  keyentry with linespoints lc rgb '#E69F00' dt '-' lw 1.6 pt 15 title 'fourier-lipschitz[plain=true,solver=pivoting]', \
-  keyentry with linespoints lc rgb '#56B4E9' dt '.' lw 1.6 pt 5 title 'fourier-lipschitz[plain=true]', \
-  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt 7 title 'hat-lcp', \
-  keyentry with linespoints lc rgb '#D55E00' dt 1 lw 1.6 pt 11 title 'penalty-hbm', \
-  keyentry with linespoints lc rgb '#009E73' dt '-' lw 1.6 pt 13 title 'penalty-hbm[plain=true,continuation=frequency]', \
-  keyentry with linespoints lc rgb '#CC79A7' dt '.' lw 1.6 pt 15 title 'penalty-hbm[plain=true,solver=pivoting]', \
-  keyentry with linespoints lc rgb '#E69F00' dt '_.' lw 1.6 pt 5 title 'penalty-hbm[plain=true]'
+  keyentry with linespoints lc rgb '#000000' dt '-' lw 1.6 pt 5 title 'closed-hbm', \
+  keyentry with linespoints lc rgb '#0072B2' dt '.' lw 1.6 pt 7 title 'event-driven[flow=cvode]', \
+  keyentry with linespoints lc rgb '#D55E00' dt '_.' lw 1.6 pt 9 title 'event-driven[flow=modal]', \
+  keyentry with linespoints lc rgb '#009E73' dt '..-' lw 1.6 pt 11 title 'exact-orbit', \
+  keyentry with linespoints lc rgb '#CC79A7' dt 1 lw 1.6 pt 13 title 'fourier-lipschitz', \
+  keyentry with linespoints lc rgb '#E69F00' dt '-' lw 1.6 pt 15 title 'fourier-lipschitz[plain=true,continuation=frequency]', \
+  keyentry with linespoints lc rgb '#56B4E9' dt '.' lw 1.6 pt 5 title 'fourier-lipschitz[plain=true,solver=pivoting,c=1]', \
+  keyentry with linespoints lc rgb '#000000' dt '_.' lw 1.6 pt 7 title 'fourier-lipschitz[plain=true,solver=pivoting,c=1e3]', \
+  keyentry with linespoints lc rgb '#0072B2' dt '..-' lw 1.6 pt 9 title 'fourier-lipschitz[plain=true,solver=pivoting,c=1e5]', \
+  keyentry with linespoints lc rgb '#D55E00' dt 1 lw 1.6 pt 11 title 'fourier-lipschitz[plain=true]', \
+  keyentry with linespoints lc rgb '#009E73' dt '-' lw 1.6 pt 13 title 'hat-lcp', \
+  keyentry with linespoints lc rgb '#E69F00' dt '_.' lw 1.6 pt 5 title 'penalty-hbm', \
+  keyentry with linespoints lc rgb '#56B4E9' dt '..-' lw 1.6 pt 7 title 'penalty-hbm[plain=true,continuation=frequency]', \
+  keyentry with linespoints lc rgb '#000000' dt 1 lw 1.6 pt 9 title 'penalty-hbm[plain=true,solver=pivoting,penalty=100x]', \
+  keyentry with linespoints lc rgb '#0072B2' dt '-' lw 1.6 pt 11 title 'penalty-hbm[plain=true,solver=pivoting,penalty=1e4x]', \
+  keyentry with linespoints lc rgb '#D55E00' dt '.' lw 1.6 pt 13 title 'penalty-hbm[plain=true,solver=pivoting,penalty=1e5x]', \
+  keyentry with linespoints lc rgb '#009E73' dt '_.' lw 1.6 pt 15 title 'penalty-hbm[plain=true]'
 unset multiplot
 unset output
 }

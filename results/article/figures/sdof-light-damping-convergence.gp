@@ -9,46 +9,61 @@ set output 'sdof-light-damping-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [1.67e+00:2.46e+04]
-set yrange [9.07e-05:1.33e-01]
+set yrange [9.09e-05:2.92e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.724
-set label 'penalty-hbm' at graph 1.06,0.1507 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,2.720697e-04 to graph 1.05,0.1507 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.2127 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,2.725653e-04 to graph 1.05,0.2127 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2747 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,2.725653e-04 to graph 1.05,0.2747 nohead lc rgb '#009E73' lw 0.5 back
-set label 'augmented-lagrangian' at graph 1.06,0.3367 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.600000e+02,2.725653e-04 to graph 1.05,0.3367 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.4666 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,2.722282e-03 to graph 1.05,0.4666 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 2.0000e+00,3.6276e-04 to 4.0000e+00,1.8138e-04 to 2.0000e+00,1.8138e-04 to 2.0000e+00,3.6276e-04 fillstyle empty border lc rgb '#666666'
-set label '1' at 4.0000e+00,2.5651e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 2.0000e+00,5.8042e-03 to 4.0000e+00,1.4510e-03 to 2.0000e+00,1.4510e-03 to 2.0000e+00,5.8042e-03 fillstyle empty border lc rgb '#666666'
-set label '2' at 4.0000e+00,2.9021e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '5' at 5.000000e+00,4.288185e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.000000e+01,1.625642e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 2.000000e+01,5.955383e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,2.144328e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,7.655577e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,2.725653e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '512' at 5.120000e+02,4.435225e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,1.093089e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,2.722282e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set rmargin at screen 0.500
+set label 'closed-hbm' at graph 1.06,0.1360 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,2.725653e-04 to graph 1.05,0.1360 nohead lc rgb '#000000' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.4210 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,2.722282e-03 to graph 1.05,0.4210 nohead lc rgb '#009E73' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.6483 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,1.705713e-02 to graph 1.05,0.6483 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.7103 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,2.272242e-02 to graph 1.05,0.7103 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.7723 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 1.600000e+02,2.272242e-02 to graph 1.05,0.7723 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.8343 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,2.364903e-02 to graph 1.05,0.8343 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e5x]' at graph 1.06,0.8963 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.600000e+02,3.315360e-02 to graph 1.05,0.8963 nohead lc rgb '#D55E00' lw 0.5 back
+set object polygon from 2.0000e+00,3.6342e-04 to 4.0000e+00,1.8171e-04 to 2.0000e+00,1.8171e-04 to 2.0000e+00,3.6342e-04 fillstyle empty border lc rgb '#666666'
+set label '1' at 4.0000e+00,2.5698e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 2.0000e+00,5.8147e-03 to 4.0000e+00,1.4537e-03 to 2.0000e+00,1.4537e-03 to 2.0000e+00,5.8147e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 4.0000e+00,2.9074e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '40' at 4.000000e+01,9.311884e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 8.000000e+01,4.580926e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,2.272242e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 4.000000e+01,6.928545e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 8.000000e+01,3.428819e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.600000e+02,1.705713e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '5' at 5.000000e+00,4.288185e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '10' at 1.000000e+01,1.625642e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.000000e+01,5.955383e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40' at 4.000000e+01,2.144328e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '80' at 8.000000e+01,7.655577e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '160' at 1.600000e+02,2.725653e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '512' at 5.120000e+02,4.435225e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,1.093089e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,2.722282e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '160' at 1.600000e+02,3.315360e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+  data index 4 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 7 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 9 with points lc rgb '#009E73' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle, \
+  data index 12 with lines lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 13 with points lc rgb '#D55E00' pt 13 ps 1.1 notitle
 unset output
 }

@@ -9,49 +9,61 @@ set output 'sdof-penalty-stiff-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [3.33e+00:2.46e+04]
-set yrange [2.50e-05:2.68e-01]
+set yrange [3.69e-03:4.17e+00]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.724
-set label 'penalty-hbm' at graph 1.06,0.1184 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,7.497081e-05 to graph 1.05,0.1184 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'augmented-lagrangian' at graph 1.06,0.1804 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.600000e+02,7.497082e-05 to graph 1.05,0.1804 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2424 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,1.111418e-04 to graph 1.05,0.2424 nohead lc rgb '#009E73' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.3044 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,1.111418e-04 to graph 1.05,0.3044 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.3664 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,3.243277e-04 to graph 1.05,0.3664 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 4.0000e+00,9.9961e-05 to 8.0000e+00,4.9981e-05 to 4.0000e+00,4.9981e-05 to 4.0000e+00,9.9961e-05 fillstyle empty border lc rgb '#666666'
-set label '1' at 8.0000e+00,7.0683e-05 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 4.0000e+00,1.5994e-03 to 8.0000e+00,3.9984e-04 to 4.0000e+00,3.9984e-04 to 4.0000e+00,1.5994e-03 fillstyle empty border lc rgb '#666666'
-set label '2' at 8.0000e+00,7.9969e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '20' at 2.000000e+01,5.441892e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,1.725593e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,3.230520e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,1.111418e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.000000e+01,8.040905e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '20' at 2.000000e+01,3.242978e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 4.000000e+01,1.057289e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '80' at 8.000000e+01,2.064843e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '160' at 1.600000e+02,7.497082e-05 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '512' at 5.120000e+02,8.947115e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,6.196109e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,3.243277e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set rmargin at screen 0.500
+set label 'hat-lcp' at graph 1.06,0.1588 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,1.126952e-02 to graph 1.05,0.1588 nohead lc rgb '#009E73' lw 0.5 back
+set label 'augmented-lagrangian[plain=true]' at graph 1.06,0.2208 left font ',9' textcolor rgb '#56B4E9' noenhanced
+set arrow from 1.600000e+02,1.587779e-02 to graph 1.05,0.2208 nohead lc rgb '#56B4E9' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.2828 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,1.587779e-02 to graph 1.05,0.2828 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.3448 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,1.587779e-02 to graph 1.05,0.3448 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e4x]' at graph 1.06,0.4068 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,2.404111e-02 to graph 1.05,0.4068 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.4688 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,2.446511e-02 to graph 1.05,0.4688 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'closed-hbm' at graph 1.06,0.5308 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,2.446511e-02 to graph 1.05,0.5308 nohead lc rgb '#000000' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.5928 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 1.600000e+02,2.446511e-02 to graph 1.05,0.5928 nohead lc rgb '#CC79A7' lw 0.5 back
+set object polygon from 4.0000e+00,1.4765e-02 to 8.0000e+00,7.3824e-03 to 4.0000e+00,7.3824e-03 to 4.0000e+00,1.4765e-02 fillstyle empty border lc rgb '#666666'
+set label '1' at 8.0000e+00,1.0440e-02 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 4.0000e+00,2.3624e-01 to 8.0000e+00,5.9059e-02 to 4.0000e+00,5.9059e-02 to 4.0000e+00,2.3624e-01 fillstyle empty border lc rgb '#666666'
+set label '2' at 8.0000e+00,1.1812e-01 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '20' at 2.000000e+01,7.593215e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 4.000000e+01,5.364694e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 8.000000e+01,2.415066e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,2.446511e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.000000e+01,6.231317e-01 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '20' at 2.000000e+01,4.852533e-01 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 4.000000e+01,3.277021e-01 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 8.000000e+01,1.523418e-01 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.600000e+02,1.587779e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '512' at 5.120000e+02,1.391388e+00 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,1.107359e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,1.126952e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+  data index 4 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
+  data index 5 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 7 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 9 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#009E73' pt 13 ps 1.1 notitle, \
+  data index 12 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 13 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle, \
+  data index 14 with lines lc rgb '#0072B2' dt '-' lw 1.6 notitle, \
+  data index 15 with points lc rgb '#0072B2' pt 11 ps 1.1 notitle
 unset output
 }

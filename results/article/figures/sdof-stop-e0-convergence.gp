@@ -9,43 +9,35 @@ set output 'sdof-stop-e0-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [1.67e+00:2.46e+04]
-set yrange [1.91e-05:1.80e-01]
+set yrange [1.91e-05:2.55e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.757
-set label 'penalty-hbm' at graph 1.06,0.1200 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,5.718304e-05 to graph 1.05,0.1200 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.1820 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,5.728284e-05 to graph 1.05,0.1820 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2440 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,5.728284e-05 to graph 1.05,0.2440 nohead lc rgb '#009E73' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.3783 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,6.086668e-04 to graph 1.05,0.3783 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 2.0000e+00,7.6244e-05 to 4.0000e+00,3.8122e-05 to 2.0000e+00,3.8122e-05 to 2.0000e+00,7.6244e-05 fillstyle empty border lc rgb '#666666'
-set label '1' at 4.0000e+00,5.3913e-05 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 2.0000e+00,1.2199e-03 to 4.0000e+00,3.0498e-04 to 2.0000e+00,3.0498e-04 to 2.0000e+00,1.2199e-03 fillstyle empty border lc rgb '#666666'
-set label '2' at 4.0000e+00,6.0995e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '5' at 5.000000e+00,8.961821e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.000000e+01,3.409943e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 2.000000e+01,1.251224e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,4.507921e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,1.609607e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,5.728284e-05 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '128' at 1.280000e+02,6.009870e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '512' at 5.120000e+02,1.626185e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,1.770635e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,6.086668e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  data index 2 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 3 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 7 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+set rmargin at screen 0.835
+set label 'closed-hbm' at graph 1.06,0.1157 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,5.728284e-05 to graph 1.05,0.1157 nohead lc rgb '#000000' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.4005 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,8.572450e-04 to graph 1.05,0.4005 nohead lc rgb '#009E73' lw 0.5 back
+set object polygon from 2.0000e+00,7.6377e-05 to 4.0000e+00,3.8189e-05 to 2.0000e+00,3.8189e-05 to 2.0000e+00,7.6377e-05 fillstyle empty border lc rgb '#666666'
+set label '1' at 4.0000e+00,5.4007e-05 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 2.0000e+00,1.2220e-03 to 4.0000e+00,3.0551e-04 to 2.0000e+00,3.0551e-04 to 2.0000e+00,1.2220e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 4.0000e+00,6.1102e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '5' at 5.000000e+00,8.961821e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '10' at 1.000000e+01,3.409943e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.000000e+01,1.251224e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40' at 4.000000e+01,4.507921e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '80' at 8.000000e+01,1.609607e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '160' at 1.600000e+02,5.728284e-05 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '128' at 1.280000e+02,8.496359e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '512' at 5.120000e+02,2.292662e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,2.493432e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,8.572450e-04 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+plot data index 0 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 1 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 2 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#009E73' pt 13 ps 1.1 notitle
 unset output
 }

@@ -9,30 +9,74 @@ set output 'sdof-stop-e0-other-laws.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'time, set-up and solve [s]'
-set ylabel 'error of x, own law [-]'
-set xrange [9.59e-05:3.63e-02]
-set yrange [9.44e-12:1.77e-01]
+set ylabel 'error of x and force, own law [-]'
+set xrange [3.58e-05:2.06e-01]
+set yrange [9.44e-12:2.42e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
 set rmargin at screen 0.500
-set label 'augmented-lagrangian (e = 1)' at graph 1.06,0.6757 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 7.621112e-03,8.265643e-05 to graph 1.05,0.6757 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'augmented-lagrangian[plain=true] (e = 1)' at graph 1.06,0.9536 left font ',9' textcolor rgb '#56B4E9' noenhanced
-set arrow from 1.208853e-02,5.908970e-02 to graph 1.05,0.9536 nohead lc rgb '#56B4E9' lw 0.5 back
+set label 'augmented-lagrangian[plain=true] (e = 1)' at graph 1.06,0.4420 left font ',9' textcolor rgb '#56B4E9' noenhanced
+set arrow from 5.585647e-02,1.548778e-02 to graph 1.05,0.4420 nohead lc rgb '#56B4E9' lw 0.5 back
+set label 'augmented-lagrangian (e = 1)' at graph 1.06,0.5040 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 7.607580e-03,1.548778e-02 to graph 1.05,0.5040 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'fourier-lipschitz (e = 1)' at graph 1.06,0.5660 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 7.009398e-03,2.051131e-02 to graph 1.05,0.5660 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'aft-hbm (e = 1)' at graph 1.06,0.6280 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 5.663043e-03,2.051131e-02 to graph 1.05,0.6280 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'penalty-hbm (e = 1)' at graph 1.06,0.6900 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 4.017549e-02,2.131526e-02 to graph 1.05,0.6900 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'aft-hbm[plain=true,homotopy=true,c=1e5] (e = 1)' at graph 1.06,0.7520 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 1.176924e-02,2.376002e-02 to graph 1.05,0.7520 nohead lc rgb '#009E73' lw 0.5 back
+set label 'fourier-lipschitz[plain=true,solver=pivoting,c=1e5] (e = 1)' at graph 1.06,0.8140 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.206644e-03,2.376002e-02 to graph 1.05,0.8140 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e5x] (e = 1)' at graph 1.06,0.8760 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 8.007860e-04,3.637403e-02 to graph 1.05,0.8760 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'fourier-lipschitz[plain=true,solver=pivoting,c=1e3] (e = 1)' at graph 1.06,0.9380 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.658730e-03,4.246816e-02 to graph 1.05,0.9380 nohead lc rgb '#000000' lw 0.5 back
+set label 'fourier-lipschitz[plain=true,solver=pivoting,c=1] (e = 1)' at graph 1.06,1.0000 left font ',9' textcolor rgb '#56B4E9' noenhanced
+set arrow from 6.869792e-02,5.825545e-02 to graph 1.05,1.0000 nohead lc rgb '#56B4E9' lw 0.5 back
 set label '10 error bars' at graph 0.99, first 2.832512e-11 right offset 0,-0.6 font ',7' textcolor rgb '#888888'
-set label '5' at 2.876420e-04,1.295183e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '10' at 4.698920e-04,4.927725e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '20' at 1.200535e-03,1.807859e-03 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 5.955341e-03,6.512404e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '80' at 2.927321e-03,2.324693e-04 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '160' at 7.621112e-03,8.265643e-05 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
-set label '40' at 1.208853e-02,5.908970e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
-plot data index 0 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
-  data index 1 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 2 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
-  data index 3 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
+set label '40' at 2.553542e-03,7.758057e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 3.970596e-03,4.024793e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 5.663043e-03,2.051131e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40, 1e5' at 6.042685e-04,5.994521e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '160, 1e5' at 1.176924e-02,2.376002e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '40' at 7.355603e-03,5.908970e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 2.774802e-03,3.048273e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 7.607580e-03,1.548778e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 1.491185e-02,5.908970e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '160' at 5.585647e-02,1.548778e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '80' at 2.889990e-03,4.024793e-02 offset 0.4,0.5 font ',7' textcolor rgb '#CC79A7' noenhanced
+set label '160, 1' at 6.869792e-02,5.825545e-02 offset 0.4,0.5 font ',7' textcolor rgb '#56B4E9' noenhanced
+set label '160, 1e3' at 1.658730e-03,4.246816e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40, 1e5' at 1.074485e-04,5.994521e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160, 1e5' at 1.206644e-03,2.376002e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 6.946289e-03,8.053085e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 1.597736e-02,4.180953e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 4.017549e-02,2.131526e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 8.007860e-04,3.637403e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
+  data index 2 with lines lc rgb '#009E73' dt '.' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#009E73' pt 9 ps 1.1 notitle, \
+  data index 4 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#56B4E9' dt 1 lw 1.6 notitle, \
+  data index 7 with points lc rgb '#56B4E9' pt 15 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 9 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#56B4E9' dt '.' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#56B4E9' pt 5 ps 1.1 notitle, \
+  data index 12 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
+  data index 13 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
+  data index 14 with lines lc rgb '#0072B2' dt '..-' lw 1.6 notitle, \
+  data index 15 with points lc rgb '#0072B2' pt 9 ps 1.1 notitle, \
+  data index 16 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 17 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle, \
+  data index 18 with lines lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 19 with points lc rgb '#D55E00' pt 13 ps 1.1 notitle, \
   2.832512e-11 with lines lc rgb '#888888' dt 3 lw 1 notitle
 unset output
 }

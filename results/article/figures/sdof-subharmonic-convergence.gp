@@ -9,41 +9,33 @@ set output 'sdof-subharmonic-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [1.67e+00:2.46e+04]
-set yrange [6.83e-05:1.73e-01]
+set yrange [6.84e-05:1.73e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.757
-set label 'penalty-hbm' at graph 1.06,0.1402 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,2.049539e-04 to graph 1.05,0.1402 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.2022 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,2.053161e-04 to graph 1.05,0.2022 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2642 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,2.053161e-04 to graph 1.05,0.2642 nohead lc rgb '#009E73' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.6854 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,1.470621e-02 to graph 1.05,0.6854 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 2.0000e+00,2.7327e-04 to 4.0000e+00,1.3664e-04 to 2.0000e+00,1.3664e-04 to 2.0000e+00,2.7327e-04 fillstyle empty border lc rgb '#666666'
-set label '1' at 4.0000e+00,1.9323e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 2.0000e+00,4.3723e-03 to 4.0000e+00,1.0931e-03 to 2.0000e+00,1.0931e-03 to 2.0000e+00,4.3723e-03 fillstyle empty border lc rgb '#666666'
-set label '2' at 4.0000e+00,2.1862e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '5' at 5.000000e+00,3.223647e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.000000e+01,1.225565e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 2.000000e+01,4.494370e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,1.618658e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,5.776960e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,2.053161e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '2048' at 2.048000e+03,5.771175e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,1.470621e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
-  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
-  data index 2 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 3 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 7 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+set rmargin at screen 0.835
+set label 'closed-hbm' at graph 1.06,0.1402 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,2.053161e-04 to graph 1.05,0.1402 nohead lc rgb '#000000' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.6853 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,1.470621e-02 to graph 1.05,0.6853 nohead lc rgb '#009E73' lw 0.5 back
+set object polygon from 2.0000e+00,2.7375e-04 to 4.0000e+00,1.3688e-04 to 2.0000e+00,1.3688e-04 to 2.0000e+00,2.7375e-04 fillstyle empty border lc rgb '#666666'
+set label '1' at 4.0000e+00,1.9357e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 2.0000e+00,4.3801e-03 to 4.0000e+00,1.0950e-03 to 2.0000e+00,1.0950e-03 to 2.0000e+00,4.3801e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 4.0000e+00,2.1900e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '5' at 5.000000e+00,3.223647e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '10' at 1.000000e+01,1.225565e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.000000e+01,4.494370e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40' at 4.000000e+01,1.618658e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '80' at 8.000000e+01,5.776960e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '160' at 1.600000e+02,2.053161e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '2048' at 2.048000e+03,5.771175e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,1.470621e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+plot data index 0 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 1 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 2 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#009E73' pt 13 ps 1.1 notitle
 unset output
 }

@@ -9,47 +9,69 @@ set output 'sdof-two-sided-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [1.67e+00:2.46e+04]
-set yrange [1.13e-04:1.69e-01]
+set yrange [1.13e-04:2.77e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
-set rmargin at screen 0.724
-set label 'penalty-hbm' at graph 1.06,0.1502 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,3.376184e-04 to graph 1.05,0.1502 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.2122 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,3.382368e-04 to graph 1.05,0.2122 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2742 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,3.382368e-04 to graph 1.05,0.2742 nohead lc rgb '#009E73' lw 0.5 back
-set label 'augmented-lagrangian' at graph 1.06,0.3362 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.600000e+02,3.382368e-04 to graph 1.05,0.3362 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.3982 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,9.775305e-04 to graph 1.05,0.3982 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 2.0000e+00,4.5016e-04 to 4.0000e+00,2.2508e-04 to 2.0000e+00,2.2508e-04 to 2.0000e+00,4.5016e-04 fillstyle empty border lc rgb '#666666'
-set label '1' at 4.0000e+00,3.1831e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 2.0000e+00,7.2025e-03 to 4.0000e+00,1.8006e-03 to 2.0000e+00,1.8006e-03 to 2.0000e+00,7.2025e-03 fillstyle empty border lc rgb '#666666'
-set label '2' at 4.0000e+00,3.6013e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '5' at 5.000000e+00,4.576414e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.000000e+01,2.146072e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 2.000000e+01,7.622385e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,2.697958e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,9.545538e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,3.382368e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '128' at 1.280000e+02,5.644617e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '512' at 5.120000e+02,1.583138e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,3.632747e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,9.775305e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set rmargin at screen 0.500
+set label 'closed-hbm' at graph 1.06,0.1407 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,3.382368e-04 to graph 1.05,0.1407 nohead lc rgb '#000000' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.2767 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,9.775305e-04 to graph 1.05,0.2767 nohead lc rgb '#009E73' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.5343 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 1.600000e+02,7.297259e-03 to graph 1.05,0.5343 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.5963 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,7.297259e-03 to graph 1.05,0.5963 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.6583 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,7.597499e-03 to graph 1.05,0.6583 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.7203 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,1.220859e-02 to graph 1.05,0.7203 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e5x]' at graph 1.06,0.7823 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.600000e+02,1.532189e-02 to graph 1.05,0.7823 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'penalty-hbm[plain=true,solver=pivoting,penalty=1e4x]' at graph 1.06,0.8443 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,2.899491e-02 to graph 1.05,0.8443 nohead lc rgb '#0072B2' lw 0.5 back
+set object polygon from 2.0000e+00,4.5098e-04 to 4.0000e+00,2.2549e-04 to 2.0000e+00,2.2549e-04 to 2.0000e+00,4.5098e-04 fillstyle empty border lc rgb '#666666'
+set label '1' at 4.0000e+00,3.1889e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 2.0000e+00,7.2157e-03 to 4.0000e+00,1.8039e-03 to 2.0000e+00,1.8039e-03 to 2.0000e+00,7.2157e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 4.0000e+00,3.6079e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '20' at 2.000000e+01,5.896714e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '40' at 4.000000e+01,2.931670e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 8.000000e+01,1.461591e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,7.297259e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '10' at 1.000000e+01,9.222127e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '40' at 4.000000e+01,2.223054e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '80' at 8.000000e+01,1.104388e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '160' at 1.600000e+02,1.220859e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '5' at 5.000000e+00,4.576414e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '10' at 1.000000e+01,2.146072e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.000000e+01,7.622385e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40' at 4.000000e+01,2.697958e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '80' at 8.000000e+01,9.545538e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '160' at 1.600000e+02,3.382368e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '128' at 1.280000e+02,5.644617e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '512' at 5.120000e+02,1.583138e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,3.632747e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,9.775305e-04 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '40' at 4.000000e+01,5.324900e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,2.899491e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+  data index 4 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 7 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 9 with points lc rgb '#009E73' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle, \
+  data index 12 with lines lc rgb '#0072B2' dt '-' lw 1.6 notitle, \
+  data index 13 with points lc rgb '#0072B2' pt 11 ps 1.1 notitle, \
+  data index 14 with lines lc rgb '#D55E00' dt '.' lw 1.6 notitle, \
+  data index 15 with points lc rgb '#D55E00' pt 13 ps 1.1 notitle
 unset output
 }

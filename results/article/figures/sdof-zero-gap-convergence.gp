@@ -9,46 +9,53 @@ set output 'sdof-zero-gap-convergence.'.format
 set logscale xy
 set format '10^{%T}'
 set xlabel 'harmonics, or samples of a period [-]'
-set ylabel 'error of x [-]'
+set ylabel 'error of x and force [-]'
 set xrange [1.67e+00:2.46e+04]
-set yrange [5.31e-05:2.17e-01]
+set yrange [5.32e-05:2.35e-01]
 set grid back lc rgb '#cccccc' lw 0.5
 set border 3
 set tics nomirror
 unset key
 set rmargin at screen 0.724
-set label 'penalty-hbm' at graph 1.06,0.1321 left font ',9' textcolor rgb '#D55E00' noenhanced
-set arrow from 1.600000e+02,1.592999e-04 to graph 1.05,0.1321 nohead lc rgb '#D55E00' lw 0.5 back
-set label 'aft-hbm' at graph 1.06,0.1941 left font ',9' textcolor rgb '#0072B2' noenhanced
-set arrow from 1.600000e+02,1.595785e-04 to graph 1.05,0.1941 nohead lc rgb '#0072B2' lw 0.5 back
-set label 'fourier-lipschitz' at graph 1.06,0.2561 left font ',9' textcolor rgb '#009E73' noenhanced
-set arrow from 1.600000e+02,1.595785e-04 to graph 1.05,0.2561 nohead lc rgb '#009E73' lw 0.5 back
-set label 'augmented-lagrangian' at graph 1.06,0.3181 left font ',9' textcolor rgb '#E69F00' noenhanced
-set arrow from 1.600000e+02,1.595785e-04 to graph 1.05,0.3181 nohead lc rgb '#E69F00' lw 0.5 back
-set label 'hat-lcp' at graph 1.06,0.5394 left font ',9' textcolor rgb '#000000' noenhanced
-set arrow from 8.192000e+03,4.711483e-03 to graph 1.05,0.5394 nohead lc rgb '#000000' lw 0.5 back
-set object polygon from 2.0000e+00,2.1240e-04 to 4.0000e+00,1.0620e-04 to 2.0000e+00,1.0620e-04 to 2.0000e+00,2.1240e-04 fillstyle empty border lc rgb '#666666'
-set label '1' at 4.0000e+00,1.5019e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set object polygon from 2.0000e+00,3.3984e-03 to 4.0000e+00,8.4960e-04 to 2.0000e+00,8.4960e-04 to 2.0000e+00,3.3984e-03 fillstyle empty border lc rgb '#666666'
-set label '2' at 4.0000e+00,1.6992e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
-set label '5' at 5.000000e+00,2.507923e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '10' at 1.000000e+01,9.538823e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '20' at 2.000000e+01,3.498412e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '40' at 4.000000e+01,1.259904e-03 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '80' at 8.000000e+01,4.495284e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '160' at 1.600000e+02,1.595785e-04 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
-set label '512' at 5.120000e+02,7.238946e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '2048' at 2.048000e+03,1.876767e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
-set label '8192' at 8.192000e+03,4.711483e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label 'closed-hbm' at graph 1.06,0.1309 left font ',9' textcolor rgb '#000000' noenhanced
+set arrow from 1.600000e+02,1.595785e-04 to graph 1.05,0.1309 nohead lc rgb '#000000' lw 0.5 back
+set label 'hat-lcp' at graph 1.06,0.5342 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 8.192000e+03,4.711483e-03 to graph 1.05,0.5342 nohead lc rgb '#009E73' lw 0.5 back
+set label 'augmented-lagrangian' at graph 1.06,0.7507 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,2.899336e-02 to graph 1.05,0.7507 nohead lc rgb '#E69F00' lw 0.5 back
+set label 'aft-hbm' at graph 1.06,0.8127 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.600000e+02,3.640423e-02 to graph 1.05,0.8127 nohead lc rgb '#0072B2' lw 0.5 back
+set label 'fourier-lipschitz' at graph 1.06,0.8747 left font ',9' textcolor rgb '#CC79A7' noenhanced
+set arrow from 1.600000e+02,3.640423e-02 to graph 1.05,0.8747 nohead lc rgb '#CC79A7' lw 0.5 back
+set label 'penalty-hbm' at graph 1.06,0.9367 left font ',9' textcolor rgb '#E69F00' noenhanced
+set arrow from 1.600000e+02,3.937555e-02 to graph 1.05,0.9367 nohead lc rgb '#E69F00' lw 0.5 back
+set object polygon from 2.0000e+00,2.1277e-04 to 4.0000e+00,1.0639e-04 to 2.0000e+00,1.0639e-04 to 2.0000e+00,2.1277e-04 fillstyle empty border lc rgb '#666666'
+set label '1' at 4.0000e+00,1.5045e-04 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set object polygon from 2.0000e+00,3.4043e-03 to 4.0000e+00,8.5109e-04 to 2.0000e+00,8.5109e-04 to 2.0000e+00,3.4043e-03 fillstyle empty border lc rgb '#666666'
+set label '2' at 4.0000e+00,1.7022e-03 left offset -0.6,0.3 font ',8' textcolor rgb '#666666'
+set label '80' at 8.000000e+01,7.532547e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '160' at 1.600000e+02,3.640423e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '80' at 8.000000e+01,5.708516e-02 offset 0.4,0.5 font ',7' textcolor rgb '#E69F00' noenhanced
+set label '5' at 5.000000e+00,2.507923e-02 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '10' at 1.000000e+01,9.538823e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '20' at 2.000000e+01,3.498412e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '40' at 4.000000e+01,1.259904e-03 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '80' at 8.000000e+01,4.495284e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '160' at 1.600000e+02,1.595785e-04 offset 0.4,0.5 font ',7' textcolor rgb '#000000' noenhanced
+set label '512' at 5.120000e+02,7.238946e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '2048' at 2.048000e+03,1.876767e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '8192' at 8.192000e+03,4.711483e-03 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
 plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
   data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
   data index 2 with lines lc rgb '#E69F00' dt '..-' lw 1.6 notitle, \
   data index 3 with points lc rgb '#E69F00' pt 13 ps 1.1 notitle, \
-  data index 4 with lines lc rgb '#009E73' dt '..-' lw 1.6 notitle, \
-  data index 5 with points lc rgb '#009E73' pt 11 ps 1.1 notitle, \
-  data index 6 with lines lc rgb '#000000' dt '_.' lw 1.6 notitle, \
-  data index 7 with points lc rgb '#000000' pt 7 ps 1.1 notitle, \
-  data index 8 with lines lc rgb '#D55E00' dt 1 lw 1.6 notitle, \
-  data index 9 with points lc rgb '#D55E00' pt 11 ps 1.1 notitle
+  data index 4 with lines lc rgb '#000000' dt '-' lw 1.6 notitle, \
+  data index 5 with points lc rgb '#000000' pt 5 ps 1.1 notitle, \
+  data index 6 with lines lc rgb '#CC79A7' dt 1 lw 1.6 notitle, \
+  data index 7 with points lc rgb '#CC79A7' pt 13 ps 1.1 notitle, \
+  data index 8 with lines lc rgb '#009E73' dt '-' lw 1.6 notitle, \
+  data index 9 with points lc rgb '#009E73' pt 13 ps 1.1 notitle, \
+  data index 10 with lines lc rgb '#E69F00' dt '_.' lw 1.6 notitle, \
+  data index 11 with points lc rgb '#E69F00' pt 5 ps 1.1 notitle
 unset output
 }

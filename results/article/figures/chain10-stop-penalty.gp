@@ -1,0 +1,40 @@
+# gnuplot chain10-stop-penalty.gp makes chain10-stop-penalty.svg and chain10-stop-penalty.pdf of chain10-stop-penalty.dat
+data = 'chain10-stop-penalty.dat'
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
+do for [format in 'svg pdf'] {
+reset
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
+set output 'chain10-stop-penalty.'.format
+set logscale xy
+set format '10^{%T}'
+set xlabel 'penalty, in units of its scale [-]'
+set ylabel 'error of x [-]'
+set xrange [3.33e+01:3.00e+05]
+set yrange [4.60e-03:3.38e-01]
+set grid back lc rgb '#cccccc' lw 0.5
+set border 3
+set tics nomirror
+unset key
+set rmargin at screen 0.500
+set label 'penalty-hbm[harmonics=160,plain=true,solver=pivoting]' at graph 1.06,0.2843 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 1.000000e+05,1.559983e-02 to graph 1.05,0.2843 nohead lc rgb '#009E73' lw 0.5 back
+set label 'penalty-hbm[harmonics=40,plain=true,solver=pivoting]' at graph 1.06,0.3475 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.000000e+05,2.046299e-02 to graph 1.05,0.3475 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'penalty-hbm[harmonics=10,plain=true,solver=pivoting]' at graph 1.06,0.5800 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.000000e+05,5.556184e-02 to graph 1.05,0.5800 nohead lc rgb '#0072B2' lw 0.5 back
+set label '' at 1.000000e+02,1.125974e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '' at 1.000000e+04,9.128055e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '' at 1.000000e+05,5.556184e-02 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '' at 1.000000e+02,4.654119e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '' at 1.000000e+04,1.637692e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '' at 1.000000e+05,2.046299e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 1 with points lc rgb '#0072B2' pt 5 ps 1.1 notitle, \
+  data index 2 with points lc rgb '#0072B2' pt 4 ps 1.1 notitle, \
+  data index 3 with lines lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
+  data index 4 with points lc rgb '#D55E00' pt 7 ps 1.1 notitle, \
+  data index 5 with lines lc rgb '#009E73' dt '.' lw 1.6 notitle, \
+  data index 6 with points lc rgb '#009E73' pt 9 ps 1.1 notitle
+unset output
+}

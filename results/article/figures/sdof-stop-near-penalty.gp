@@ -1,0 +1,42 @@
+# gnuplot sdof-stop-near-penalty.gp makes sdof-stop-near-penalty.svg and sdof-stop-near-penalty.pdf of sdof-stop-near-penalty.dat
+data = 'sdof-stop-near-penalty.dat'
+svg = "svg size 643,378 font 'sans-serif,9' fontscale 1.333 background '#ffffff' dashlength 0.7 rounded"
+pdf = "pdfcairo size 17.0cm,10.0cm font 'sans,9' dashlength 0.7 rounded"
+do for [format in 'svg pdf'] {
+reset
+eval 'set terminal '.(format eq 'svg' ? svg : pdf)
+set output 'sdof-stop-near-penalty.'.format
+set logscale xy
+set format '10^{%T}'
+set xlabel 'penalty, in units of its scale [-]'
+set ylabel 'error of x [-]'
+set xrange [3.33e+01:3.00e+05]
+set yrange [5.71e-03:1.10e+00]
+set grid back lc rgb '#cccccc' lw 0.5
+set border 3
+set tics nomirror
+unset key
+set rmargin at screen 0.500
+set label 'penalty-hbm[harmonics=160,plain=true,solver=pivoting]' at graph 1.06,0.2090 left font ',9' textcolor rgb '#009E73' noenhanced
+set arrow from 1.000000e+05,1.713847e-02 to graph 1.05,0.2090 nohead lc rgb '#009E73' lw 0.5 back
+set label 'penalty-hbm[harmonics=40,plain=true,solver=pivoting]' at graph 1.06,0.3870 left font ',9' textcolor rgb '#D55E00' noenhanced
+set arrow from 1.000000e+05,4.367538e-02 to graph 1.05,0.3870 nohead lc rgb '#D55E00' lw 0.5 back
+set label 'penalty-hbm[harmonics=10,plain=true,solver=pivoting]' at graph 1.06,0.6305 left font ',9' textcolor rgb '#0072B2' noenhanced
+set arrow from 1.000000e+05,1.570611e-01 to graph 1.05,0.6305 nohead lc rgb '#0072B2' lw 0.5 back
+set label '' at 1.000000e+02,3.650349e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '' at 1.000000e+04,1.636452e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '' at 1.000000e+05,1.570611e-01 offset 0.4,0.5 font ',7' textcolor rgb '#0072B2' noenhanced
+set label '' at 1.000000e+04,5.686529e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '' at 1.000000e+05,4.367538e-02 offset 0.4,0.5 font ',7' textcolor rgb '#D55E00' noenhanced
+set label '' at 1.000000e+04,3.627559e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+set label '' at 1.000000e+05,1.713847e-02 offset 0.4,0.5 font ',7' textcolor rgb '#009E73' noenhanced
+plot data index 0 with lines lc rgb '#0072B2' dt 1 lw 1.6 notitle, \
+  data index 1 with points lc rgb '#0072B2' pt 4 ps 1.1 notitle, \
+  data index 2 with lines lc rgb '#D55E00' dt '-' lw 1.6 notitle, \
+  data index 3 with points lc rgb '#D55E00' pt 7 ps 1.1 notitle, \
+  data index 4 with points lc rgb '#D55E00' pt 6 ps 1.1 notitle, \
+  data index 5 with lines lc rgb '#009E73' dt '.' lw 1.6 notitle, \
+  data index 6 with points lc rgb '#009E73' pt 9 ps 1.1 notitle, \
+  data index 7 with points lc rgb '#009E73' pt 8 ps 1.1 notitle
+unset output
+}
