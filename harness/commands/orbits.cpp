@@ -48,8 +48,7 @@ Cell orbit_number(double value) { return {fmt::format("{:.6g}", value), value}; 
 
 Table orbit_table(const std::vector<FoundOrbit>& orbits) {
   Table table;
-  table.header = {"orbit",         "order",      "impacts",   "phases",
-                  "amplitude [m]", "multiplier", "stability", "found"};
+  table.header = {"orbit", "order", "impacts", "phases", "amplitude [m]", "multiplier", "stability", "found"};
   for (const FoundOrbit& orbit : orbits) {
     const std::optional<double> multiplier = orbit.largest_multiplier();
     const std::string stability = stability_word(orbit.certified.stable, orbit.certified.undefined);
@@ -99,7 +98,7 @@ void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options, 
     fmt::print(stderr, "the time limit of {:g} s cut the search short: there may be more\n", options.timeout);
   if (found.interrupted) fmt::print(stderr, "interrupted: there may be more\n");
   if (std::ranges::none_of(found.orbits,
-                           [](const FoundOrbit& orbit) { return orbit.certified.stable == true; }))
+                           [](const FoundOrbit& orbit) { return orbit.certified.stable.value_or(true); }))
     fmt::print(stderr,
                "no stable motion of order <= {} was found among {} starts: signorini motion {} tells what "
                "happens instead\n",

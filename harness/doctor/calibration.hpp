@@ -1,7 +1,7 @@
 #pragma once
 // How fast this machine is: the time of a fixed solve, by which times of different machines stand side by
 // side. Scene and method are written out here and never change: a method of the catalogue would become
-// faster one day, and every other one slower beside it (docs/decisions/0063-calibration.md).
+// faster one day, and every other one slower beside it (docs/decisions/0064-calibration.md).
 
 #include <vector>
 

@@ -48,8 +48,8 @@ struct SceneOrbits {
   std::map<std::string, int> failures = {};  ///< why starts led to no certified orbit, and how many
   /// Processes that ended before their work did: how, and the names of those that ended so.
   std::map<std::string, std::vector<std::string>> losses = {};
-  bool expired = false;                      ///< the time limit cut the search short
-  bool interrupted = false;                  ///< SIGINT did
+  bool expired = false;      ///< the time limit cut the search short
+  bool interrupted = false;  ///< SIGINT did
 };
 
 /// Called before the starts of an order are searched from.

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "methods/orbit/family_inverse.hpp"
 #include "methods/periodic_motion/period_map.hpp"
 #include "methods/structure/rigid_motions.hpp"
 

@@ -13,8 +13,8 @@ namespace signorini {
 
 /// What is known of a scene without its matrices.
 struct SceneOutline {
-  int coordinates = 0;  ///< Nd
-  SystemLayout layout = {};
+  int coordinates = 0;                            ///< Nd
+  SystemLayout layout = {};                       ///< which coordinates what is named there has
   std::vector<std::filesystem::path> files = {};  ///< as SceneWithSources::files
   /// What the readers of the files of its matrices decided, a line each: sums of repeated entries, what a
   /// symmetric part leaves out, supports by penalty.

@@ -67,7 +67,9 @@ COMMANDS = {
     ("sweep", "--methods", "exact-orbit", "--parameter", "system.mass", "--from", "1", "--to", "0", "--total-time", "2"): (
         ["--format", "json"], ["--plot", "p.svg"]),
     ("sweep", "--methods", "exact-orbit", "--from", "0.9", "--to", "1.1", "--total-time", "2", "--second", "contact[0].gap",
-     "--second-from", "0.2", "--second-to", "0.3"): (["--follow", "fold"], ["--follow", "grazing"], ["--follow", "contact-change"]),
+     "--second-from", "0.2", "--second-to", "0.3"): (["--follow", "fold"], ["--follow", "grazing"], ["--follow", "contact-change"],
+                                                     ["--follow", "phase-resonance"]),
+    ("sweep", "--backbone", "--from", "0.9", "--to", "1.1", "--total-time", "2"): (["--format", "json"], ["--second-to", "2"]),
 }
 
 

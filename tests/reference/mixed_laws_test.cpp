@@ -77,17 +77,22 @@ TEST(MixedLaws, RigidBesideRubber) {
                            {.normal = along(2, 3, -1.0), .gap = 0.3, .stiffness = 7.0}});
 }
 
-// On the same mass the damped stop is pushed when the rigid one is struck, and let go by that.
+// On different masses, and before one: there the damped stop is pushed when the rigid one is struck, and let
+// go by that.
 TEST(MixedLaws, RigidBesideDamped) {
   const std::string rigid = "[[contact]]\ndof = 0\ngap = 0.4\nrestitution = 0.6\n";
   const March::Stop stop{.normal = along(0, 3), .gap = 0.4, .restitution = 0.6};
   const Problem apart = chain_before(
       rigid + "[[contact]]\ndof = 2\nside = \"below\"\ngap = 0.3\npenalty = 7.0\ndamper = 0.8\n");
   expect_marched(apart, {stop, {.normal = along(2, 3, -1.0), .gap = 0.3, .stiffness = 7.0, .damping = 0.8}});
-  const Problem same =
-      chain_before("[[contact]]\ndof = 0\ngap = 0.25\npenalty = 2.0\ndamper = 0.4\n" + rigid);
+  const Problem same = parse_scene(
+      "schema = 1\nname = \"s\"\n[system]\nkind = \"sdof\"\nmass = 1.0\ndamping = 0.1\nstiffness = "
+      "1.0\n[forcing]\nfrequency = 2.0\n[[forcing.term]]\ndof = 0\ncos = 1.0\n[[contact]]\ndof = 0\ngap = "
+      "0.2\nrestitution = 0.8\n[[contact]]\ndof = 0\ngap = 0.1\npenalty = 20.0\ndamper = 2.0\n",
+      "s.toml");
   const March march =
-      expect_marched(same, {{.normal = along(0, 3), .gap = 0.25, .stiffness = 2.0, .damping = 0.4}, stop});
+      expect_marched(same, {{.normal = along(0, 1), .gap = 0.2, .restitution = 0.8},
+                            {.normal = along(0, 1), .gap = 0.1, .stiffness = 20.0, .damping = 2.0}});
   EXPECT_GT(march.struck_while_pushing, kPeriods / 2);
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -16,6 +17,11 @@
 namespace signorini {
 
 namespace {
+
+// Whether a limit ended a curve, and not the interval or the mathematics.
+bool is_cut(const BifurcationCurve& curve) {
+  return curve.ended == "the time is up" || curve.ended.starts_with("limit of ");
+}
 
 // In a process of its own: what is printed of special points over the frequency and a second number.
 void send_special_points(const SweepArguments& arguments, const LineSender& send) {
@@ -34,7 +40,8 @@ void send_special_points(const SweepArguments& arguments, const LineSender& send
     send(json_line(Json{{"text", json ? json_line(to_json(response, second)) + "\n"
                                       : table_text(arguments, bifurcation_table(response, second))},
                         {"unfinished", response.unfinished},
-                        {"curves", response.curves.size()}}));
+                        {"curves", response.curves.size()},
+                        {"cut", std::ranges::count_if(response.curves, is_cut)}}));
   } catch (const UsageError& error) {
     refuse(error);
   } catch (const SceneError& error) {
@@ -64,7 +71,11 @@ int sweep_special_points(const SweepArguments& arguments) {
   fmt::print("{}", found.at("text").get<std::string>());
   if (const auto unfinished = found.at("unfinished").get<std::string>(); !unfinished.empty())
     fmt::print(stderr, "{}\n", unfinished);
-  return found.at("curves") == 0 ? kUnexpectedFailure : kDone;
+  if (found.at("curves") == 0) return kUnexpectedFailure;
+  if (found.at("cut") == 0) return kDone;
+  fmt::print(stderr, "INCOMPLETE: {} of {} curves end at a limit (--total-time and --max-points go on)\n",
+             found.at("cut").get<long>(), found.at("curves").get<long>());
+  return kIncomplete;
 }
 
 }  // namespace signorini

@@ -82,6 +82,14 @@ bool leads_on(const OrbitBranch& branch) {
          });
 }
 
+// What is said of period doublings that lead beyond the longest period.
+std::string doublings_left(int count, int max_order) {
+  constexpr int kMostOrder = 64;  // that a scene, and so --max-order, may have
+  return fmt::format(
+      "{} period doublings not followed (period > {}{})", count, max_order,
+      max_order < kMostOrder ? fmt::format("; --max-order {}", std::min(kMostOrder, 2 * max_order)) : "");
+}
+
 class DiagramTracer {
  public:
   DiagramTracer(OrbitFamily& family, const CurveLimits& limits, const std::optional<ParameterRange>& energies)
@@ -104,12 +112,7 @@ class DiagramTracer {
       if (queue_.is_full()) break;
       follow(*start);
     }
-    constexpr int kMostOrder = 64;  // that a scene, and so --max-order, may have
-    if (too_long_ > 0)
-      note(fmt::format("{} period doublings not followed (period > {}{})", too_long_, limits_.max_order,
-                       limits_.max_order < kMostOrder
-                           ? fmt::format("; --max-order {}", std::min(kMostOrder, 2 * limits_.max_order))
-                           : ""));
+    if (too_long_ > 0) note(doublings_left(too_long_, limits_.max_order));
     if (dead_ends_ > 0)
       note(fmt::format("{} unstable branches of more than two periods not followed on", dead_ends_));
     return queue_.finish<OrbitDiagram>();

@@ -33,6 +33,8 @@ Eigen::VectorXd cold_cover(const Lcp& lcp, const SolverSettings& settings) {
   return cover;
 }
 
+constexpr int kNone = -1;
+
 /// Lemke's method step by step. At every vertex of the path one pair (z_i, w_i) has both members outside the
 /// basis, at zero; one of the two is about to grow, the driving variable. It moves until a basic variable
 /// blocks; driving and blocking variable change places, and the complement of the blocking one drives next.
@@ -40,10 +42,9 @@ class LemkePath {
  public:
   LemkePath(const Lcp& lcp, const SolverSettings& settings, const Eigen::VectorXd& guess)
       : lcp_(lcp), settings_(settings), guess_(guess), basis_(*lcp.matrix) {
-    const long size = lcp.offset.size();
     q_scale_ = lcp.offset.lpNorm<Eigen::Infinity>();
-    limit_ = settings.max_iterations > 0 ? settings.max_iterations : 6000 + 10 * size;
-    most_positive_ = settings.most_positive > 0 ? settings.most_positive : size;
+    limit_ = settings.max_iterations > 0 ? settings.max_iterations : 6000 + 10 * lcp.offset.size();
+    most_positive_ = settings.most_positive > 0 ? settings.most_positive : lcp.offset.size();
   }
 
   LcpResult run() {
@@ -228,7 +229,6 @@ class LemkePath {
   const Eigen::VectorXd& guess_;
   double q_scale_ = 1.0;
   long limit_ = 0, most_positive_ = 0;
-  static constexpr int kNone = -1;
   LemkeBasis basis_;
   std::optional<OpenRows> open_;  // from the first cover on
   int pair_ = 0;                  // the complementary pair of which neither is basic

@@ -15,6 +15,7 @@
 #include "harness/text/json.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/sample_records.hpp"
+#include "tests/harness/stored_records.hpp"
 
 namespace signorini::side_by_side_test {
 namespace {
@@ -95,7 +96,8 @@ TEST(SideBySide, LeavesOutTimesWhereOneMachineHasNoCalibrationOrThatOfAnotherSol
   for (const auto& [calibration, version] : {std::pair{0.0, 1}, std::pair{5e-3, 2}}) {
     put_side_by_side(std::vector<fs::path>{mine, run_in("theirs", "b", "one", calibration, version)}, out);
     EXPECT_FALSE(read_records(out / "records.jsonl")[1].seconds);
-    EXPECT_NE(evaluation_of_run(out, {}).times_remark().find("not both runs have a time of the same calibration solve"),
+    EXPECT_NE(evaluation_of_run(out, {}).times_remark().find(
+                  "not both runs have a time of the same calibration solve"),
               std::string::npos);
   }
 }

@@ -13,7 +13,7 @@ TEST(SvgOf, HasAGroupForEachPartAndTextsThatAreNoMarkup) {
   EXPECT_NE(svg.find("<title>a &lt;b&gt; &amp; c</title>"), std::string::npos) << svg;
   EXPECT_NE(svg.find("<g class=\"spring\">\n<path class=\"structure\""), std::string::npos) << svg;
   EXPECT_NE(svg.find("stroke-dasharray"), std::string::npos);
-  EXPECT_NE(svg.find(">g &lt; 1 &amp; \"x\"</text>"), std::string::npos) << svg;
+  EXPECT_NE(svg.find(">g &lt; 1 &amp; &quot;x&quot;</text>"), std::string::npos) << svg;
   EXPECT_EQ(svg, svg_of(drawing));
 }
 

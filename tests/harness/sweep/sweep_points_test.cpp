@@ -176,8 +176,9 @@ TEST(CommandSweep, FollowsTheBackboneToThePeakOfTheResponse) {
   EXPECT_NEAR(end["second"].get<double>(), 1.0, 1e-12);
   const test::Outcome forced = test::run_program(
       "sweep sdof-penalty-soft --methods exact-orbit --from 0.95 --to 2 --max-order 1 --format json");
+  const auto response = nlohmann::json::parse(forced.out);
   double nearest = 1e300;
-  for (const auto& branch : nlohmann::json::parse(forced.out)["branches"]) {
+  for (const auto& branch : response["branches"]) {
     for (const auto& special : branch["special"]) {
       if (special["kind"] == "phase-resonance")
         nearest = std::min(nearest, std::abs(special["omega"].get<double>() - end["omega"].get<double>()) +
@@ -188,11 +189,12 @@ TEST(CommandSweep, FollowsTheBackboneToThePeakOfTheResponse) {
   EXPECT_LT(nearest, 1e-9);
 }
 
-// Exit code 1 and one line where nothing is found, 2 where nothing can be.
+// Exit code 1 and one line where nothing is found, 2 where nothing can be, 6 where a limit ends a curve.
 TEST(CommandSweep, SaysWhyThereIsNoBackbone) {
   for (const auto& [arguments, code, words] :
        {std::tuple("sdof-two-harmonics --from 0.9 --to 1.1", 1, "the load has more than one harmonic"),
         std::tuple("sdof-penalty-soft --from 2.5 --to 3", 1, "no phase-resonance at load-factor = 0.01"),
+        std::tuple("sdof-penalty-soft --max-points 5", 6, "INCOMPLETE: "),
         std::tuple("sdof-contact-free", 2, "--from and --to are required"),
         std::tuple("sdof-penalty-soft --second-from -1", 2, "must be above 0"),
         std::tuple("sdof-penalty-soft --follow fold", 2, "must stand without --follow")}) {

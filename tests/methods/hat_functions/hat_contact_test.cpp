@@ -81,6 +81,20 @@ TEST(HatContact, LeavesALongPathForMarching) {
   EXPECT_LE(chatter.residual.value(), 1e-10);
 }
 
+// Contact that lasts on a fine grid: a pivot costs the square of the pressures held.
+TEST(HatContact, LeavesAPathOfManyPressuresForMarching) {
+  constexpr int kSamples = 512;
+  const test::ImpactOscillator sticking{.damping = 0.1, .frequency = 0.25, .gap = 0.0, .restitution = 0.0};
+  const Solution marched = solve(sticking, {.samples = kSamples});
+  const Solution pivoted = solve(sticking, {.samples = kSamples, .solver = ComplementaritySolver::pivoting});
+  ASSERT_EQ(marched.verdict, Verdict::converged) << marched.message;
+  ASSERT_EQ(pivoted.verdict, Verdict::converged) << pivoted.message;
+  const Eigen::MatrixXd force = pivoted.trajectory->sample(kSamples).force;
+  EXPECT_GT((force.array() < 0.0).count(), 128);
+  EXPECT_LT(marched.work.pivots.value(), pivoted.work.pivots.value());
+  EXPECT_LE((marched.trajectory->sample(kSamples).force - force).norm(), 1e-8 * force.norm());
+}
+
 constexpr int kNodes = 24;
 
 /// The ring of nodal equations A_+ u_{k+1} + A_0 u_k + A_- u_{k-1} = f_k, solved as one dense system: x per
