@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
+#include "harness/text/words.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
@@ -56,6 +58,49 @@ Eigen::MatrixXd kept_motion(const KeptMotion& x) {
   return motion;
 }
 
+// Which points of a branch straight lines between the others do without.
+class Thinning {
+ public:
+  Thinning(const std::vector<ResponsePoint>& points, const ResponseMetric& metric)
+      : points_(points), metric_(metric) {
+    along_.push_back(0.0);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      along_.push_back(along_.back() + metric(points[i - 1], points[i]));
+  }
+
+  [[nodiscard]] std::vector<ResponsePoint> run() const {
+    std::vector<ResponsePoint> kept;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const bool needed = i == 0 || i + 1 == points_.size() || !is_straight(from, i + 1);
+      if (!needed) continue;
+      kept.push_back(points_[i]);
+      from = i;
+    }
+    return kept;
+  }
+
+ private:
+  // Whether all between two points are as stable as these, and lie on their chord.
+  [[nodiscard]] bool is_straight(std::size_t from, std::size_t to) const {
+    constexpr double kOnChord = 1e-3;
+    const ResponsePoint &a = points_[from], &b = points_[to];
+    if (a.stable != b.stable || !std::isfinite(along_[to])) return false;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double share = (along_[i] - along_[from]) / (along_[to] - along_[from]);
+      ResponsePoint on_chord = a;
+      on_chord.frequency = (1.0 - share) * a.frequency + share * b.frequency;
+      on_chord.motion = (1.0 - share) * a.motion + share * b.motion;
+      if (points_[i].stable != a.stable || !(metric_(points_[i], on_chord) <= kOnChord)) return false;
+    }
+    return true;
+  }
+
+  const std::vector<ResponsePoint>& points_;
+  const ResponseMetric& metric_;
+  std::vector<double> along_;  // length up to each point
+};
+
 class Cutter {
  public:
   explicit Cutter(const ResponseMetric& metric) : metric_(metric) {}
@@ -91,6 +136,15 @@ class Cutter {
   const ResponseMetric& metric_;
   std::vector<CurveElement> elements_;
 };
+
+// Digits that tell a motion to 5e-4 of its size, wherever the origin is: far below kCloseTolerance, and a
+// third of the text of all digits.
+int digits_of(const Eigen::MatrixXd& motion) {
+  constexpr int kOfItsSize = 4, kAll = 17;
+  const double size = half_range(motion), largest = motion.size() > 0 ? motion.cwiseAbs().maxCoeff() : 0.0;
+  if (!(size > 0.0)) return kAll;
+  return std::clamp(kOfItsSize + static_cast<int>(std::ceil(std::log10(largest / size))), kOfItsSize, kAll);
+}
 
 }  // namespace
 
@@ -171,10 +225,20 @@ std::vector<DrawnBranch> drawn_with_motions(const ResponseCurve& curve) {
     if (!curve.branches[i].by_arc_length) branches[i].by_steps = true;
     for (const ResponsePoint& point : curve.branches[i].points) {
       KeptMotion& motion = branches[i].motion.emplace_back();
-      for (const auto& x : point.motion.colwise()) motion.emplace_back(x.begin(), x.end());
+      const int digits = digits_of(point.motion);
+      for (const auto& x : point.motion.colwise()) {
+        std::vector<double>& kept = motion.emplace_back();
+        std::ranges::transform(x, std::back_inserter(kept), [&](double at) { return rounded(at, digits); });
+      }
     }
   }
   return branches;
+}
+
+ResponseCurve thinned(ResponseCurve curve, const ResponseMetric& metric) {
+  for (ResponseBranch& branch : curve.branches)
+    if (branch.by_arc_length && !branch.points.empty()) branch.points = Thinning(branch.points, metric).run();
+  return curve;
 }
 
 double half_range(const Eigen::MatrixXd& motion) {

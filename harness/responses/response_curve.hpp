@@ -36,8 +36,12 @@ ResponseCurve curve_of(const RecordedResponse& response);
 
 /// The branches of a response as they are drawn.
 std::vector<DrawnBranch> drawn(const ResponseCurve& curve);
-/// The same with the motions of their points, and whether they are of steps.
+/// The same with the motions of their points, rounded to 5e-4 of their size, and whether they are of steps.
 std::vector<DrawnBranch> drawn_with_motions(const ResponseCurve& curve);
+
+/// A response whose branches by arc length keep the points that straight lines between them need: what is
+/// left out is as stable as both its neighbours and within 1e-3 of their chord, by share of length.
+ResponseCurve thinned(ResponseCurve curve, const ResponseMetric& metric);
 
 /// Largest of the contacts: half of largest less least x_j [m].
 double half_range(const Eigen::MatrixXd& motion);

@@ -103,7 +103,8 @@ class ExactTask final : public CaseTask {
       ResponseCurve curve = from_attractors();
       add_orbits_beside(curve);
       take_curve(curve, record);
-      record.response->branches = drawn_with_motions(curve);
+      const ResponseMetric metric(window_of(asked_.question), amplitude_of(curve));
+      record.response->branches = drawn_with_motions(thinned(std::move(curve), metric));
     } catch (const std::runtime_error& error) {  // the scene cannot be followed
       refuse(error.what(), record);
     }

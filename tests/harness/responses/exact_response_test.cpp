@@ -39,13 +39,13 @@ void expect_same(const ResponseCurve& a, const ResponseCurve& b) {
       const ResponsePoint &p = a.branches[i].points[k], &q = b.branches[i].points[k];
       EXPECT_EQ(p.frequency, q.frequency);
       EXPECT_EQ(p.order, q.order);
-      EXPECT_EQ(p.motion, q.motion);
+      EXPECT_LE((p.motion - q.motion).cwiseAbs().maxCoeff(), 5e-4 * half_range(q.motion));
       EXPECT_EQ(p.stable, q.stable);
     }
   }
 }
 
-TEST(ExactResponse, KeepsItsMotionsToTheLastBitAndLeavesTheRecordWithout) {
+TEST(ExactResponse, KeepsItsMotionsToAShareOfTheirSizeAndLeavesTheRecordWithout) {
   const test::TemporaryFolder folder;
   Record record = record_of(curve());
   ExactResponse kept(folder.path());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tests/harness/responses/drawn_responses.hpp"
 
@@ -110,6 +111,33 @@ TEST(CurveOfSteps, LeavesOutWhatIsNoWholeNumberOfForcingPeriods) {
   SweepPoint odd = step(1.0, Status::converged, 1);
   odd.motion->period *= 1.1;
   EXPECT_TRUE(curve_of({odd}).branches.empty());
+}
+
+TEST(Thinned, KeepsTheEndsOfAStraightBranchAndWhatStandsBesideAChangeOfStability) {
+  ResponseBranch straight = level_branch(1.0, 2.0, 101);
+  EXPECT_EQ(thinned({.branches = {straight}}, kMetric).branches[0].points.size(), 2U);
+  for (std::size_t i = 0; i < straight.points.size(); ++i) straight.points[i].stable = i < 40;
+  const std::vector<ResponsePoint> kept = thinned({.branches = {straight}}, kMetric).branches[0].points;
+  ASSERT_EQ(kept.size(), 4U);
+  EXPECT_NEAR(kept[1].frequency, 1.39, 1e-12);
+  EXPECT_NEAR(kept[2].frequency, 1.40, 1e-12);
+  straight.by_arc_length = false;
+  EXPECT_EQ(thinned({.branches = {straight}}, kMetric).branches[0].points.size(), 101U);
+  EXPECT_TRUE(thinned({.branches = {ResponseBranch()}}, kMetric).branches[0].points.empty());
+}
+
+// Half a turn of radius 1: chords whose sagitta is 1e-3 are .09 long.
+TEST(Thinned, KeepsTheLengthOfABend) {
+  constexpr int kPoints = 2001;
+  ResponseBranch bend;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = std::numbers::pi * i / (kPoints - 1);
+    bend.points.push_back(moving(2.0 - std::cos(angle), std::numbers::sqrt2 * std::sin(angle)));
+  }
+  const ResponseCurve whole{.branches = {bend}}, thin = thinned(whole, kMetric);
+  EXPECT_GT(thin.branches[0].points.size(), 20U);
+  EXPECT_LT(thin.branches[0].points.size(), 80U);
+  EXPECT_NEAR(length_of(thin), length_of(whole), 3e-3 * length_of(whole));
 }
 
 TEST(AmplitudeOf, IsHalfTheLargestPeakToPeakWhereverTheOriginIs) {
