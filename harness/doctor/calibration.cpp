@@ -92,13 +92,6 @@ class MidpointStep {
   Square inverse_{}, of_velocity_{}, of_displacement_{};
 };
 
-double processor_time() {
-  constexpr double kNanosecond = 1e-9;
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + kNanosecond * static_cast<double>(now.tv_nsec);
-}
-
 }  // namespace
 
 std::vector<double> calibration_solve(double gap) {
@@ -118,9 +111,9 @@ double calibration_seconds() {
   double least = std::numeric_limits<double>::infinity();
   volatile double last = 0.0;  // so that no solve is left out
   for (int i = 0; i < kCalibrationSolves; ++i) {
-    const double begin = processor_time();
+    const std::clock_t begin = std::clock();
     last = calibration_solve().back();
-    least = std::min(least, processor_time() - begin);
+    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   static_cast<void>(last);
   return least;
