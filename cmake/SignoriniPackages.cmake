@@ -26,7 +26,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS OFF)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, libopenblas0-serial")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "curl, gnuplot-nox, libopenblas0-serial")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3, signorini-dev")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "The program: methods behind one interface that compute periodic motions of
 structures that meet a stop, a search for coexisting motions, frequency responses

@@ -63,7 +63,7 @@ struct CommandGroup {
 
 constexpr std::array<CommandGroup, 4> kGroups{{
     {"Use", "list show solve orbits motion sweep reduce completion man "},
-    {"Judge", "run report compare history verify pack doctor "},
+    {"Judge", "run report compare history verify pack fetch doctor "},
     {"Extend", "new check "},
     {"Cluster", "submit status merge "},
 }};

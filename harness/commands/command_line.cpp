@@ -180,8 +180,8 @@ int run_command_line(int argc, char** argv) {
   add_sweep_command(program, exit_code, words);
   add_run_command(program, exit_code, words);
   for (const auto add : {add_report_command, add_compare_command, add_history_command, add_verify_command,
-                         add_pack_command, add_doctor_command, add_new_command, add_check_command,
-                         add_submit_command, add_status_command, add_merge_command})
+                         add_pack_command, add_fetch_command, add_doctor_command, add_new_command,
+                         add_check_command, add_submit_command, add_status_command, add_merge_command})
     add(program, exit_code);
   guide_commands(program);
   const auto plugins = std::make_shared<std::vector<std::string>>();

@@ -48,6 +48,7 @@ void add_completion_command(const Command& program, int& exit_code);
 void add_man_command(const Command& program, int& exit_code);
 void add_report_command(const Command& program, int& exit_code);
 void add_pack_command(const Command& program, int& exit_code);
+void add_fetch_command(const Command& program, int& exit_code);
 void add_orbits_command(const Command& program, int& exit_code);
 void add_motion_command(const Command& program, int& exit_code);
 void add_reduce_command(const Command& program, int& exit_code);

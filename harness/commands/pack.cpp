@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "harness/commands/command_line.hpp"
@@ -10,6 +12,8 @@
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/glob.hpp"
+#include "harness/pack/pack_index.hpp"
 #include "harness/pack/run_pack.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/run_folder/run_folder.hpp"
@@ -57,7 +61,48 @@ void pack(const std::string& folder, const std::string& out) {
                plural(static_cast<std::ptrdiff_t>(pending), "case"), pending == 1 ? "has" : "have");
 }
 
+struct FetchArguments {
+  std::string index, packs = "*";
+  std::optional<std::string> out;
+};
+
+/// Lists the packs of an archive, or copies them into a folder, each once its hash is found right.
+void fetch(const FetchArguments& arguments) {
+  const std::vector<IndexedPack> indexed = read_pack_index(arguments.index);
+  std::size_t chosen = 0;
+  for (const IndexedPack& pack : indexed) {
+    if (!glob_match(arguments.packs, pack.file)) continue;
+    ++chosen;
+    if (arguments.out) {
+      const fs::path folder = *arguments.out;
+      write_whole(folder_inside(folder.parent_path(), folder.filename().string()) / pack.file,
+                  pack_beside(arguments.index, pack));
+    }
+    fmt::print("{}  {}\n", pack.sha256, pack.file);
+  }
+  if (chosen == 0)
+    throw NothingMatched(fmt::format("--packs = {} (matches none of the {} of {})", arguments.packs,
+                                     plural(std::ssize(indexed), "pack"), arguments.index));
+}
+
 }  // namespace
+
+void add_fetch_command(const Command& program, int& exit_code) {
+  const Command command = program.command("fetch",
+                                          "Packs of an archive, whose index is what `sha256sum *.tar.gz` "
+                                          "prints: lists them, or copies them into a "
+                                          "folder, each once its hash is found to be the one in the index. "
+                                          "Nothing in them is run. URLs are fetched "
+                                          "by the program curl.");
+  const auto arguments = std::make_shared<FetchArguments>();
+  command.option("index", arguments->index, "the index: a file or a URL; the packs lie beside it").required();
+  command.option("--packs", arguments->packs, "packs by glob on their names").shows_default();
+  command.option("--out", arguments->out, "folder to copy them into; if absent they are listed");
+  command.on_run([arguments, &exit_code] {
+    fetch(*arguments);
+    exit_code = kDone;
+  });
+}
 
 void add_pack_command(const Command& program, int& exit_code) {
   struct Arguments {

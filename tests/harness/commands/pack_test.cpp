@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -17,6 +19,7 @@
 #include "harness/text/json.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/harness/program.hpp"
+#include "tests/support/other_programs.hpp"
 
 namespace signorini::pack_test {
 namespace {
@@ -192,6 +195,51 @@ TEST_F(Stranger, IsComparedInSeveralRunsAtOnce) {
   forge("records.jsonl", [](Json& record) { record["status"] = "crashed"; });
   const Outcome worse = at_home("compare true.tar.gz true.tar.gz theirs.tar.gz");
   EXPECT_EQ(worse.code, 4) << worse.out;
+}
+
+/// Serves the folder it is in over http while the program, its first word, runs with the others; PORT in them
+/// is the server's.
+constexpr const char* kServer = R"(import http.server, subprocess, sys, threading
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *ignored): pass
+server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Quiet)
+threading.Thread(target=server.serve_forever, daemon=True).start()
+sys.exit(subprocess.call([word.replace("PORT", str(server.server_port)) for word in sys.argv[1:]]))
+)";
+
+TEST_F(Stranger, IsFetchedFromAFolder) {
+  write_whole(root_ / "SHA256SUMS",
+              fmt::format("{}  theirs.tar.gz\n", sha256_of_file(root_ / "theirs.tar.gz")));
+  const std::string index = (root_ / "SHA256SUMS").string();
+  const Outcome listed = at_home("fetch " + index);
+  EXPECT_EQ(listed.out, read_file(index)) << listed.err;
+  EXPECT_FALSE(fs::exists(home_ / "packs"));
+  ASSERT_EQ(at_home("fetch " + index + " --out packs").code, 0);
+  EXPECT_EQ(read_file(home_ / "packs" / "theirs.tar.gz"), read_file(root_ / "theirs.tar.gz"));
+  EXPECT_EQ(at_home("fetch " + index + " --packs 'no*'").code, 3);
+  write_whole(root_ / "theirs.tar.gz", "another");
+  const Outcome other = at_home("fetch " + index + " --out others");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_TRUE(says(other.err, "its SHA-256 must be")) << other.err;
+  EXPECT_FALSE(fs::exists(home_ / "others" / "theirs.tar.gz"));
+}
+
+TEST_F(Stranger, IsFetchedFromAWebServer) {
+  if (!test::succeeds("curl --version")) GTEST_SKIP() << "curl is not installed";
+  write_whole(root_ / "SHA256SUMS",
+              fmt::format("{}  theirs.tar.gz\n", sha256_of_file(root_ / "theirs.tar.gz")));
+  const fs::path server = home_ / "server.py";
+  write_whole(server, kServer);
+  const auto fetched = [&](const std::string& index) {
+    return std::system(fmt::format("cd {} && python3 {} {} fetch http://127.0.0.1:PORT/{} --out {} 2>{}",
+                                   root_.string(), server.string(), SIGNORINI_BINARY, index,
+                                   (home_ / "packs").string(), (home_ / "err").string())
+                           .c_str());
+  };
+  EXPECT_EQ(WEXITSTATUS(fetched("SHA256SUMS")), 0) << read_file(home_ / "err");
+  EXPECT_EQ(read_file(home_ / "packs" / "theirs.tar.gz"), read_file(root_ / "theirs.tar.gz"));
+  EXPECT_EQ(WEXITSTATUS(fetched("NONE")), 2);
+  EXPECT_TRUE(says(read_file(home_ / "err"), "404")) << read_file(home_ / "err");
 }
 
 TEST(Pack, LeavesOutTheDescriptionOfAMethodThatIsNotLoaded) {

@@ -1,0 +1,83 @@
+#include "harness/pack/pack_index.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
+#include "harness/isolation/program_run.hpp"
+#include "harness/isolation/temporary_folder.hpp"
+#include "harness/pack/run_pack.hpp"
+#include "harness/text/words.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Largest index [bytes]: some ten thousand packs.
+constexpr std::size_t kLargestIndex = std::size_t{1} << 20U;
+
+bool is_url(std::string_view place) { return place.starts_with("http://") || place.starts_with("https://"); }
+
+/// What curl fetches of a URL: over http and https alone, also where the server sends it elsewhere.
+std::string downloaded(const std::string& url, std::size_t most) {
+  constexpr const char *kLog = "curl.log", *kProtocols = "=http,https", *kLongest = "600";  // [s]
+  const TemporaryFolder folder;
+  const std::optional<int> code =
+      run_to_end({"curl", "--disable", "--fail", "--silent", "--show-error", "--location", "--proto",
+                  kProtocols, "--proto-redir", kProtocols, "--max-time", kLongest, "--max-filesize",
+                  std::to_string(most), "--output", "bytes", "--url", url},
+                 folder.path(), kLog);
+  if (!code) throw UsageError("a URL needs curl, which is not there (install the package curl)");
+  if (*code != 0)
+    throw UsageError(
+        fmt::format("url = {} (could not be fetched: {})", url, first_line(folder.path() / kLog)));
+  return read_file(folder.path() / "bytes", most);
+}
+
+/// "HASH  NAME" or "HASH *NAME", which sha256sum prints of a binary file. \throws UsageError
+IndexedPack pack_of(const std::string& line, const std::string& place) {
+  constexpr std::size_t kDigits = 64, kName = kDigits + 2;
+  constexpr std::size_t kLongest = 99;  // [bytes], a name in a folder
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  const auto is_plain = [](char c) {
+    return c > ' ' && c < '\x7f' && std::string_view("/\\?#%").find(c) == std::string_view::npos;
+  };
+  if (line.size() > kName && line.size() <= kName + kLongest &&
+      std::all_of(line.begin(), line.begin() + kDigits, is_digit) && line[kDigits] == ' ' &&
+      (line[kDigits + 1] == ' ' || line[kDigits + 1] == '*') && line[kName] != '.' &&
+      std::all_of(line.begin() + kName, line.end(), is_plain))
+    return {.sha256 = line.substr(0, kDigits), .file = line.substr(kName)};
+  throw UsageError(fmt::format(
+      "index = {} (must hold lines as `sha256sum NAME.tar.gz` prints them, of files beside it)", place));
+}
+
+}  // namespace
+
+std::string bytes_at(const std::string& place, std::size_t most) {
+  return is_url(place) ? downloaded(place, most) : read_file(place, most);
+}
+
+std::vector<IndexedPack> read_pack_index(const std::string& place) {
+  std::vector<IndexedPack> packs;
+  for (std::string line : split(bytes_at(place, kLargestIndex), '\n')) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (!line.empty()) packs.push_back(pack_of(line, place));
+  }
+  return packs;
+}
+
+std::string pack_beside(const std::string& index, const IndexedPack& pack) {
+  const std::size_t folder = index.rfind('/') + 1;  // 0 where there is none
+  const std::string place = index.substr(0, folder) + pack.file;
+  std::string bytes = bytes_at(place, kLargestPack);
+  if (sha256(bytes) != pack.sha256)
+    throw UsageError(fmt::format("pack = {} (its SHA-256 must be {}, which the index states, and is {})",
+                                 place, pack.sha256, sha256(bytes)));
+  return bytes;
+}
+
+}  // namespace signorini
