@@ -157,7 +157,7 @@ std::string stability_line(const Record& record) {
   }
   if (certified && certificate.stable == false)
     text +=
-        fmt::format("; a machine leaves this motion: `signorini motion {}` tells for which", record.scene);
+        fmt::format("; a machine leaves this motion: `signorini motion {}` tells what it does then", record.scene);
   return named_text("stability", text);
 }
 

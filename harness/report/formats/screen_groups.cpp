@@ -146,7 +146,7 @@ struct Advice {
   }
 };
 
-/// "Scenes on which other methods reach 1 %, ...: hat-lcp 11 of 12, ...": of each further method the best
+/// "Other methods reach 1 % on these scenes, ...: hat-lcp 11 of 12, ...": of each further method the best
 /// configuration, best first, as far as two lines hold.
 ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<Advice>& advice) {
   struct Solved {
@@ -178,7 +178,7 @@ ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<A
   }
   if (items.empty()) return {};
   ScreenLines lines = wrapped_text(
-      "Scenes on which other methods reach 1 %, of those whose law they represent: " + joined(items, ", ") +
+      "Other methods reach 1 % on these scenes, of those whose law they represent: " + joined(items, ", ") +
       ".");
   constexpr std::size_t kMostLines = 3;
   lines.resize(std::min(lines.size(), kMostLines));

@@ -67,11 +67,11 @@ Unproven: not decided. Failed: no result.
 
 For rigid stops use fast: its error is at most 1 % on 3 of 3 scenes, the median
 time 1 ms.
-Scenes on which other methods reach 1 %, of those whose law they represent:
+Other methods reach 1 % on these scenes, of those whose law they represent:
 exact 3 of 3.
 
 Which method? * marks the method that reaches 1 % on the most scenes with a
-stable motion; among equals, those within 10 % of the least time. A second *
+stable motion; of several, those within 10 % of the least time. A second *
 marks a faster method that does so on one scene fewer. Each cell: median time to
 that error, number of scenes; - if half or more do not reach it. Last column:
 unstable motions among those found to 10 %:
@@ -92,7 +92,7 @@ TEST(Screen, SaysWhatTheTimesOfCommandsLeaveOut) {
   std::vector<Record> records = records_with_known_winners();
   records[0].seconds->exchange = 2e-3;
   const std::string screen = screen_report(Evaluation(records), kContext);
-  EXPECT_NE(screen.find("\nNot in these times, to hand over problem and answer: fast 2 ms a solve\n"),
+  EXPECT_NE(screen.find("\nTimes leave out to hand over problem and answer: fast 2 ms a solve\n"),
             std::string::npos)
       << screen;
   expect_one_screen(screen);
