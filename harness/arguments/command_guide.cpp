@@ -24,7 +24,7 @@ constexpr std::array<CommandExample, 30> kExamples{{
     {"solve", "signorini solve sdof-stop --method exact-orbit", "one motion, and how good it is"},
     {"solve", "signorini solve own.toml --method hat-lcp --set samples=512 --dofs 0,5 --plot own.svg",
      "a scene of one's own, two coordinates, a picture"},
-    {"orbits", "signorini orbits sdof-two-sided", "all periodic motions, stable or not"},
+    {"orbits", "signorini orbits sdof-two-sided", "coexisting periodic motions, stable or not"},
     {"motion", "signorini motion sdof-stop --starts 8", "where motions settle, or Lyapunov exponents"},
     {"reduce", "signorini reduce block-nine-contacts --out pad.toml",
      "a large structure as a small scene of one's own"},

@@ -141,7 +141,7 @@ constexpr int kMostHarmonics = 1000;
 
 void add_solve_command(const Command& program, int& exit_code) {
   const Command command = program.command(
-      "solve", "One periodic motion, what it does and how good it is, by one method on one scene.");
+      "solve", "One periodic motion, its stability and its error, by one method on one scene.");
   const auto arguments = std::make_shared<SolveArguments>();
   command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
   command.option("--method", arguments->method, "method name; see `signorini list methods`").required();
@@ -184,7 +184,7 @@ void add_solve_command(const Command& program, int& exit_code) {
   command.flag("--json", arguments->json, "print the record as JSON");
   command.flag("--verbose", arguments->verbose,
                "print every contact, impact and phase of contact, and what the solver counted");
-  add_plot_option(command, arguments->plot, "displacement, velocity, impulse and portrait of the answer");
+  add_plot_option(command, arguments->plot, "displacement, velocity, impulse and phase portrait");
   add_column_option(command, arguments->column, "the picture");
   command.on_run([arguments, &exit_code] { exit_code = solve(*arguments); });
 }

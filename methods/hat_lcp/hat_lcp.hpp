@@ -43,7 +43,7 @@ class HatLcp final : public Method, public CurveMethod {
   static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless; none: undetermined";
   static constexpr std::string_view kLimits =
       "First order in the step: at impacts 1 % takes some 2000 nodes, 0.1 % ten times as many. On a coarse "
-      "grid a lightly damped scene may have no periodic motion.";
+      "grid the equations of a lightly damped scene may have no solution.";
   static constexpr std::string_view kLadder = "samples=128|512|2048";
   static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
 

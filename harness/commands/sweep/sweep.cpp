@@ -379,7 +379,7 @@ void add_sweep_command(const Command& program, int& exit_code, const std::vector
       "--methods follows branches of one or several methods by arc length, through folds and "
       "grazings; a method that cannot do this is solved in frequency steps. --method solves "
       "one method in frequency steps, each from the result before. Exit code 1 if a solve did "
-      "not converge, or no branch was found; 6 if parts of the interval are missing.");
+      "not converge, or no branch was found; 6 if parts or attractors are missing.");
   const auto arguments = std::make_shared<SweepArguments>();
   arguments->words = words;
   add_sweep_options(command, *arguments);
