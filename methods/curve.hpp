@@ -88,7 +88,7 @@ struct SolutionPoint {
   std::optional<double> damping_ratio = {};
   OrbitStability stability = OrbitStability::undefined;  ///< as the method has it
   std::string undefined = {};                            ///< why it is, one clause, where that is known
-  Eigen::VectorXcd multipliers = {};                     ///< Floquet, 2 Nd; empty where undefined or unknown
+  Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd or the largest; empty where undefined or unknown
 };
 
 /// What happens where a branch turns, changes its stability or its sequence of events, or crosses another; of

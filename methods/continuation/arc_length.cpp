@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
@@ -76,10 +77,79 @@ Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& 
   return B.rows() == B.cols() ? lu_solve(B, all) : full_rank_least_squares(B, all);
 }
 
+namespace {
+
+// What a corrector has come to.
+struct Progress {
+  double residual, before;  // |R| here and at the step before
+  double step;              // the last one
+  int steps;
+};
+
+// Whether R is as small as wanted, or rounding that falls no further.
+bool solved(const AnyEquations& equations, double tolerance, double size, const Progress& at) {
+  constexpr double kNoise = 100.0;    // of the noise
+  constexpr double kSettled = 1e-10;  // of x: a step from one rounding of stiff modes' forces to the next
+  if (at.residual <= tolerance * size) return true;
+  const bool rounding = at.residual < kNoise * equations.noise() || at.step < kSettled * size;
+  return at.steps >= 2 && rounding && at.residual > 0.5 * at.before;
+}
+
+double size_of(const Eigen::VectorXd& x) { return std::max(1.0, x.lpNorm<Eigen::Infinity>()); }
+
+// The next of the steps with the matrix that `factors` are of and that each step since has corrected by the
+// change of R that it made, without forming it [broyden1965].
+Eigen::VectorXd secant_step(const LuFactors& factors, const Eigen::VectorXd& residual,
+                            const std::vector<Eigen::VectorXd>& steps) {
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(residual.size() + 1);
+  right.head(residual.size()) = -residual;
+  Eigen::VectorXd step = factors.solve(right);
+  for (std::size_t j = 0; j + 1 < steps.size(); ++j)
+    step += steps[j].dot(step) / steps[j].squaredNorm() * steps[j + 1];
+  if (!steps.empty()) step /= 1.0 - steps.back().dot(step) / steps.back().squaredNorm();
+  return step;
+}
+
+// Empty where the residual rises, and of equations whose unknowns are put in their places on the way.
+std::optional<CorrectedPoint> corrected_by_secants(const AnyEquations& equations,
+                                                   const Eigen::VectorXd& predicted,
+                                                   const Eigen::VectorXd& tangent, double tolerance) {
+  constexpr int kSteps = 12, kLikeOneOfNewton = 3;
+  Eigen::VectorXd x = predicted;
+  equations.settle(x);
+  if (x != predicted) return std::nullopt;
+  const Eigen::MatrixXd B = bordered_jacobian(equations, tangent);
+  if (B.rows() != B.cols() || !B.allFinite()) return std::nullopt;
+  const LuFactors factors(B);
+  std::vector<Eigen::VectorXd> steps;
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= kSteps; ++k) {
+    if (!equations.evaluate_residual(x)) return std::nullopt;
+    const double residual = equations.residual().lpNorm<Eigen::Infinity>();
+    const double last = steps.empty() ? 1.0 : steps.back().lpNorm<Eigen::Infinity>();
+    if (solved(equations, tolerance, size_of(x),
+               {.residual = residual, .before = before, .step = last, .steps = k})) {
+      if (!equations.evaluate(x)) return std::nullopt;
+      return CorrectedPoint{std::move(x), (k + kLikeOneOfNewton - 1) / kLikeOneOfNewton};
+    }
+    if (!(residual < before)) return std::nullopt;
+    before = residual;
+    steps.push_back(secant_step(factors, equations.residual(), steps));
+    if (!steps.back().allFinite()) return std::nullopt;
+    x += steps.back();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
                                         const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
-  constexpr double kLost = 1e3, kNoise = 100.0;  // of R; of the noise
-  constexpr double kSettled = 1e-10;  // of x: a step from one rounding of stiff modes' forces to the next
+  constexpr double kLost = 1e3;       // of R
+  constexpr Eigen::Index kMany = 64;  // unknowns: of fewer a Jacobian is cheap
+  if (limits.secants && predicted.size() >= kMany) {
+    if (auto point = corrected_by_secants(equations, predicted, tangent, limits.tolerance)) return point;
+  }
   Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= limits.iterations; ++k) {
@@ -87,11 +157,9 @@ std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eig
     if (!equations.evaluate(x)) return std::nullopt;
     const double residual = equations.residual().lpNorm<Eigen::Infinity>();
     if (!(residual < kLost)) return std::nullopt;
-    const double size = std::max(1.0, x.lpNorm<Eigen::Infinity>());
-    if (residual <= limits.tolerance * size) return CorrectedPoint{std::move(x), k};
-    const bool rounding =
-        residual < kNoise * equations.noise() || step.lpNorm<Eigen::Infinity>() < kSettled * size;
-    if (k >= 2 && rounding && residual > 0.5 * before) return CorrectedPoint{std::move(x), k};
+    if (solved(equations, limits.tolerance, size_of(x),
+               {.residual = residual, .before = before, .step = step.lpNorm<Eigen::Infinity>(), .steps = k}))
+      return CorrectedPoint{std::move(x), k};
     before = residual;
     step = solve_bordered(bordered_jacobian(equations, tangent), -equations.residual(),
                           -tangent.dot(x - predicted));

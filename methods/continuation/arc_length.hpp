@@ -40,13 +40,23 @@ concept Settles = requires(Equations& equations, Eigen::VectorXd& x) {
   equations.settle(x);
 };
 
-/// When the corrector stops.
+/// Equations whose residual is cheaper alone.
+template <class Equations>
+concept EvaluatesMotionAlone = requires(Equations& equations, const Eigen::VectorXd& x) {
+  // Takes x as `evaluate` does; the Jacobian is then that of another point.
+  { equations.evaluate_motion(x) } -> std::convertible_to<bool>;
+};
+
+/// When the corrector stops, and how it goes.
 struct CorrectorLimits {
   int iterations = 7;        ///< Newton steps at most
   double tolerance = 2e-13;  ///< of R, relative to the largest unknown [-]
+  /// Many equations are solved by Broyden's method from their Jacobian where they were evaluated last, near
+  /// the point wanted, and by Newton's where that fails: a Jacobian per point in place of three.
+  bool secants = false;
 };
 
-/// A point of the curve, and the Newton steps that led to it.
+/// A point of the curve, and the Newton steps that led to it; three secant steps count as one.
 struct CorrectedPoint {
   Eigen::VectorXd x;
   int iterations = 0;
@@ -68,15 +78,22 @@ struct AnyEquations {
       else
         return Eigen::MatrixXd(0, equations.size() + 1);
     };
+    evaluate_residual = [&](const Eigen::VectorXd& x) -> bool {
+      if constexpr (EvaluatesMotionAlone<Equations>)
+        return equations.evaluate_motion(x);
+      else
+        return equations.evaluate(x);
+    };
   }
 
   std::function<Eigen::Index()> size;
   std::function<void(Eigen::VectorXd& x)> settle = [](Eigen::VectorXd&) {};  ///< nothing unless they Settle
   std::function<bool(const Eigen::VectorXd& x)> evaluate;  ///< as the concept has it, like those below
-  std::function<Eigen::VectorXd()> residual;               ///< R
-  std::function<Eigen::MatrixXd()> jacobian;               ///< [R_x]
-  std::function<Eigen::MatrixXd()> conditions;             ///< C, of no rows where they hold none
-  std::function<double()> noise;                           ///< of R
+  std::function<bool(const Eigen::VectorXd& x)> evaluate_residual;  ///< where they can, R alone
+  std::function<Eigen::VectorXd()> residual;                        ///< R
+  std::function<Eigen::MatrixXd()> jacobian;                        ///< [R_x]
+  std::function<Eigen::MatrixXd()> conditions;                      ///< C, of no rows where they hold none
+  std::function<double()> noise;                                    ///< of R
 };
 
 /// The matrix [R_x; row; C] of a step: n + 1 square, or higher where conditions are held.

@@ -1,14 +1,62 @@
 #include "problems/linear_algebra/general_eigen.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <limits>
+#include <random>
+#include <vector>
+
+#include "problems/linear_algebra/lapack.hpp"
+#include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// By the QR algorithm on blocks, several times faster than Eigen's on vectors.
+GeneralEigen general_by_lapack(Eigen::MatrixXd A, bool with_vectors) {
+  const auto n = static_cast<int>(A.rows());
+  const char left = 'N', right = with_vectors ? 'V' : 'N';
+  Eigen::VectorXd real(n), imaginary(n);
+  Eigen::MatrixXd vectors(with_vectors ? n : 1, with_vectors ? n : 1);
+  const auto stride = static_cast<int>(vectors.rows());
+  const int none = 1;
+  double unused = 0.0, best = 0.0;
+  int info = 0;
+  const auto solve = [&](double* work, int size) {
+    dgeev_(&left, &right, &n, A.data(), &n, real.data(), imaginary.data(), &unused, &none, vectors.data(),
+           &stride, work, &size, &info, 1, 1);
+  };
+  solve(&best, -1);
+  std::vector<double> work(static_cast<std::size_t>(best));
+  solve(work.data(), static_cast<int>(work.size()));
+  if (info != 0) return {};
+  GeneralEigen result{.converged = true, .values = Eigen::VectorXcd(n), .vectors = {}};
+  for (int k = 0; k < n; ++k) result.values[k] = Complex(real[k], imaginary[k]);
+  if (!with_vectors) return result;
+  result.vectors.resize(n, n);
+  for (int k = 0; k < n; ++k) {
+    const bool pair = imaginary[k] > 0.0;
+    for (int i = 0; i < n; ++i) {
+      const Complex entry(vectors(i, k), pair ? vectors(i, k + 1) : 0.0);
+      result.vectors(i, k) = entry;
+      if (pair) result.vectors(i, k + 1) = std::conj(entry);
+    }
+    if (pair) ++k;
+  }
+  return result;
+}
+
+}  // namespace
 
 GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
   if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
   if (!A.allFinite()) return {};
+  if (is_for_lapack(A)) return general_by_lapack(A, true);
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
   if (solver.info() != Eigen::Success) return {};
   return {.converged = true, .values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
@@ -18,11 +66,88 @@ Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const GeneralEigen found = [&]() -> GeneralEigen {
     if (A.rows() == 0 || !A.allFinite()) return {};
+    if (is_for_lapack(A)) return general_by_lapack(A, false);
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
     return {.converged = solver.info() == Eigen::Success, .values = solver.eigenvalues(), .vectors = {}};
   }();
-  return found.converged ? found.values
-                         : Eigen::VectorXcd::Constant(A.rows(), std::complex<double>(kNone, kNone));
+  return found.converged ? found.values : Eigen::VectorXcd::Constant(A.rows(), Complex(kNone, kNone));
+}
+
+namespace {
+
+// Orthonormal columns Q of the Krylov space of P from columns that know nothing of it.
+Eigen::MatrixXd krylov_basis(const Eigen::MatrixXd& P, Eigen::Index starts, Eigen::Index columns) {
+  constexpr double kNothingNew = 1e-13;  // of a column
+  std::mt19937 random(1);
+  Eigen::MatrixXd Q(P.rows(), std::min(columns, P.rows()));
+  Eigen::Index count = 0;
+  for (Eigen::Index from = -starts; from < count && count < Q.cols(); ++from) {
+    Eigen::VectorXd next(P.rows());
+    if (from < 0) {
+      for (double& entry : next) entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    } else {
+      next = image(P, Q.col(from));
+    }
+    const double size = next.norm();
+    for (int twice = 0; twice < 2; ++twice) {
+      const Eigen::VectorXd known = image_by_transposed(Q.leftCols(count), next);
+      next -= image(Q.leftCols(count), known);
+    }
+    const double added = next.norm();
+    if (added > kNothingNew * size) Q.col(count++) = next / added;
+  }
+  return Q.leftCols(count);
+}
+
+// Those of Q^T A Q, falling in magnitude, and |A x - mu x| of each.
+struct RitzPairs {
+  Eigen::VectorXcd values;
+  Eigen::VectorXd residuals;
+};
+RitzPairs ritz_pairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
+  const Eigen::MatrixXd image_of_Q = product(A, Q);
+  const GeneralEigen small = general_eigen(product_of_transposed(Q, image_of_Q));
+  if (!small.converged) return {};
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(small.values.size()));
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
+  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    const double first = std::abs(small.values[a]), second = std::abs(small.values[b]);
+    return first > second || (first == second && a < b);
+  });
+  const Eigen::MatrixXcd images = product_of_complex(image_of_Q, small.vectors);
+  const Eigen::MatrixXcd vectors = product_of_complex(Q, small.vectors);
+  RitzPairs pairs{.values = Eigen::VectorXcd(small.values.size()),
+                  .residuals = Eigen::VectorXd(small.values.size())};
+  for (Eigen::Index k = 0; k < pairs.values.size(); ++k) {
+    const Eigen::Index from = order[static_cast<std::size_t>(k)];
+    pairs.values[k] = small.values[from];
+    pairs.residuals[k] = (images.col(from) - small.values[from] * vectors.col(from)).norm();
+  }
+  return pairs;
+}
+
+}  // namespace
+
+Eigen::VectorXcd leading_eigenvalues(const Eigen::MatrixXd& A, double tolerance) {
+  constexpr int kSquared = 3;
+  constexpr Eigen::Index kStarts = 4, kColumns = 40;
+  if (A.rows() == 0 || !A.allFinite()) return {};
+  Eigen::MatrixXd power = A;
+  for (int k = 0; k < kSquared; ++k) {
+    const double size = power.cwiseAbs().maxCoeff();  // whose eighth power may overflow
+    if (size > 0.0) power /= size;
+    power = product(power, power);
+  }
+  const RitzPairs pairs = ritz_pairs(A, krylov_basis(power, kStarts, kColumns));
+  Eigen::Index known = 0;
+  while (known < pairs.values.size() &&
+         pairs.residuals[known] <= tolerance * std::max(1.0, std::abs(pairs.values[0])))
+    ++known;
+  // Residuals of a pair may differ in their last digit.
+  if (known > 0 && known < pairs.values.size() && pairs.values[known] == std::conj(pairs.values[known - 1]) &&
+      pairs.values[known].imag() != 0.0)
+    --known;
+  return pairs.values.head(known);
 }
 
 double largest_magnitude(const Eigen::VectorXcd& values) {

@@ -1,6 +1,6 @@
 #pragma once
 // Eigenvalues of dense real matrices that need not be symmetric, compiled once (docs/decisions/0052).
-// Source: [golub2013], ch. 7.
+// Source: [golub2013], ch. 7. Large matrices by LAPACK, whose bits depend on the processor.
 
 #include <Eigen/Core>
 
@@ -17,6 +17,11 @@ struct GeneralEigen {
 GeneralEigen general_eigen(const Eigen::MatrixXd& A);
 /// The values alone; all NaN where they do not converge.
 Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A);
+/// Those of largest magnitude, falling, of a conjugate pair both: up to the first whose residual |A x - mu
+/// x|, |x| = 1, is more than tolerance max(1, |mu|_max); none where an entry is not finite. On the Krylov
+/// space of A^8 from four columns, 40 in all: where magnitudes fall slowly few are known, and of a
+/// multiplicity beyond four not all. Source: [golub2013], ch. 10.5.
+Eigen::VectorXcd leading_eigenvalues(const Eigen::MatrixXd& A, double tolerance);
 /// The largest magnitude of eigenvalues, 0 where there are none: the spectral radius; of Floquet multipliers
 /// what small disturbances grow by in a period.
 double largest_magnitude(const Eigen::VectorXcd& values);

@@ -25,19 +25,20 @@ double relative_determinant(const Eigen::MatrixXd& A) {
   return LuFactors(A.rowwise().norm().cwiseInverse().asDiagonal() * A).determinant();
 }
 
-// Re prod (mu_i mu_j - 1), i < j, by sign and mean magnitude; the product is real.
-double pair_product(const Eigen::VectorXcd& mu) {
+// Re prod (1 - mu_i mu_j), i < j, by sign and mean magnitude over the pairs of `count` multipliers, of which
+// the factors of those that are not given are positive and near 1; the product is real.
+double pair_product(const Eigen::VectorXcd& mu, Eigen::Index count) {
   double logarithm = 0.0, angle = 0.0;
-  Eigen::Index pairs = 0;
   for (Eigen::Index i = 0; i < mu.size(); ++i) {
-    for (Eigen::Index j = i + 1; j < mu.size(); ++j, ++pairs) {
-      const Complex factor = mu[i] * mu[j] - 1.0;
+    for (Eigen::Index j = i + 1; j < mu.size(); ++j) {
+      const Complex factor = 1.0 - mu[i] * mu[j];
       if (factor == 0.0) return 0.0;
       logarithm += std::log(std::abs(factor));
       angle += std::arg(factor);
     }
   }
-  return (std::cos(angle) < 0.0 ? -1.0 : 1.0) * std::exp(logarithm / static_cast<double>(pairs));
+  const double pairs = 0.5 * static_cast<double>(count * (count - 1));
+  return (std::cos(angle) < 0.0 ? -1.0 : 1.0) * std::exp(logarithm / pairs);
 }
 
 // Sum of the products of all but two of mu_i - 1: the product of all but the two that are 0; 0 where it is
@@ -170,10 +171,20 @@ double doubling_test(ExtendedEquations& equations) {
   return relative_determinant(doubled);
 }
 
-// Of the multipliers; empty at a grazing.
-Eigen::VectorXcd multipliers_at(const ExtendedEquations& equations) {
+// The multipliers; none at a grazing.
+BifurcationTests multipliers_at(const ExtendedEquations& equations, MultiplierRange range) {
+  constexpr Eigen::Index kMany = 64;
+  constexpr double kKnown = 1e-10, kInside = 0.9;
   const Eigen::MatrixXd M = equations.monodromy();
-  return M.size() == 0 || !M.allFinite() ? Eigen::VectorXcd() : multipliers_of(M);
+  if (M.size() == 0 || !M.allFinite()) return {};
+  const bool decide = equations.family().driven() && !loses_nothing(equations);  // else all of them do
+  if (range == MultiplierRange::leading && M.rows() >= kMany && decide) {
+    BifurcationTests tests{.multipliers = leading_eigenvalues(M, kKnown), .leading = true};
+    const Eigen::Index count = tests.multipliers.size();
+    const double least = count == 0 ? 1.0 : std::abs(tests.multipliers[count - 1]);
+    if (least < kInside * std::min(1.0, 1.0 / largest_magnitude(tests.multipliers))) return tests;
+  }
+  return {.multipliers = multipliers_of(M)};
 }
 
 std::optional<double> test_of(ExtendedEquations& equations, const Eigen::VectorXd& tangent, SpecialKind kind,
@@ -186,7 +197,7 @@ std::optional<double> test_of(ExtendedEquations& equations, const Eigen::VectorX
     return relative_determinant(bordered_jacobian(equations, tangent));
   if (kind == SpecialKind::neimark_sacker && known && equations.orbit().states() > 2 &&
       !loses_nothing(equations))
-    return pair_product(multipliers);
+    return pair_product(multipliers, equations.orbit().states());
   if (kind == SpecialKind::phase_resonance && equations.family().scene().parameter == kFrequency) {
     const auto phase = load_phase(equations);
     return phase ? std::optional(phase->in_phase) : std::nullopt;
@@ -211,10 +222,12 @@ std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen
                                        SpecialKind kind) {
   const bool needed =
       kind == SpecialKind::neimark_sacker || (kind == SpecialKind::fold && !equations.family().driven());
-  return test_of(equations, tangent, kind, needed ? multipliers_at(equations) : Eigen::VectorXcd());
+  return test_of(equations, tangent, kind,
+                 needed ? multipliers_at(equations, MultiplierRange::all).multipliers : Eigen::VectorXcd());
 }
 
-BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
+BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
+                                   MultiplierRange range) {
   const auto slot = [](SpecialKind kind) { return static_cast<std::size_t>(kind); };
   if (struck_together(equations)) {
     BifurcationTests continuous;
@@ -223,7 +236,7 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
         bifurcation_test(equations, tangent, SpecialKind::phase_resonance);
     return continuous;
   }
-  BifurcationTests tests{.multipliers = multipliers_at(equations)};
+  BifurcationTests tests = multipliers_at(equations, range);
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
                                  SpecialKind::branch_point, SpecialKind::phase_resonance})
     tests.values[slot(kind)] = test_of(equations, tangent, kind, tests.multipliers);

@@ -19,7 +19,7 @@ namespace signorini {
 /// - period doubling: det J_-1, J_mu the Jacobian with the closure y(2 pi n) - mu y_0, that is the product of
 /// the
 ///   approach speeds times det(M - mu);
-/// - Neimark-Sacker: the product of mu_i mu_j - 1 over all pairs. Identically zero where no energy is lost,
+/// - Neimark-Sacker: the product of 1 - mu_i mu_j over all pairs. Identically zero where no energy is lost,
 /// and
 ///   absent there, as for a single coordinate, which has no such point. Branch points of free motions are
 ///   not looked for;
@@ -30,15 +30,25 @@ namespace signorini {
 /// strike at one event the map is not continuous, and the fold alone is a bifurcation.
 struct BifurcationTests {
   std::array<std::optional<double>, 5> values = {};  ///< in the order of SpecialKind
-  Eigen::VectorXcd multipliers = {};                 ///< 2 Nd; empty at a grazing
+  Eigen::VectorXcd multipliers = {};                 ///< 2 Nd, or the largest; empty at a grazing
+  /// Whether `multipliers` are the largest alone: those that are not there are within .9 min(1, 1 / |mu|) of
+  /// the largest |mu|, so that no two of them, nor one of them with another one, are on the circle.
+  bool leading = false;
 
   [[nodiscard]] const std::optional<double>& of(SpecialKind kind) const {
     return values[static_cast<std::size_t>(kind)];
   }
 };
 
+/// Which multipliers are wanted.
+enum class MultiplierRange {
+  all,
+  leading,  ///< of 64 states or more the largest, where these are known to 1e-10 (leading_eigenvalues)
+};
+
 /// Those of the orbit at which the equations are evaluated, `tangent` that of its curve.
-BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent);
+BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
+                                   MultiplierRange range = MultiplierRange::all);
 
 /// One of them alone.
 std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen::VectorXd& tangent,

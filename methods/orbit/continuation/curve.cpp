@@ -207,6 +207,12 @@ class Tracer {
   }
 
  private:
+  // All multipliers where a step ends at a value asked for, and every so many points.
+  [[nodiscard]] MultiplierRange range(bool asked) const {
+    constexpr std::size_t kBetween = 16;
+    const bool due = result_.branch.points.size() % kBetween == 0;
+    return asked || due ? MultiplierRange::all : MultiplierRange::leading;
+  }
   [[nodiscard]] CurveStep whole_step() const { return {here_.x, here_.tangent, step_}; }
   void append() { append_point(*equations_, here_, limits_.phases, result_.branch); }
   void note(std::string_view what) { result_.notes.push_back(note_at(what, here_, family_)); }
@@ -221,7 +227,7 @@ class Tracer {
     constexpr double kShortestTurn = 1e-6;           // over a value that is asked for
     if (limits_.expired()) return finish("the time is up");
     if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
-    auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent);
+    auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.secants = true});
     const bool lands =
         !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
     if (!iterations) return shorten(0.4);
@@ -233,7 +239,7 @@ class Tracer {
     if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
     if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
       return shorten(0.5);
-    Station next = station_at(*equations_, *tangent);
+    Station next = station_at(*equations_, *tangent, range(target.has_value() || lands));
     if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
     const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);

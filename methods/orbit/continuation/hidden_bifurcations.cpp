@@ -16,13 +16,21 @@ namespace {
 using Magnitudes = std::array<std::vector<double>, 3>;
 constexpr std::size_t kPairs = 2;
 
-Magnitudes magnitudes(const Eigen::VectorXcd& multipliers) {
-  constexpr double kReal = 1e-9, kFaded = 1e-2;
+// The least magnitude that tests tell of all multipliers beyond.
+double least_known(const BifurcationTests& tests) {
+  constexpr double kFaded = 1e-2, kBeyond = 1.0 + 1e-9;
+  if (!tests.leading || tests.multipliers.size() == 0) return kFaded;
+  return std::max(kFaded, kBeyond * tests.multipliers.cwiseAbs().minCoeff());
+}
+
+// Of those that are no smaller than `least`.
+Magnitudes magnitudes(const Eigen::VectorXcd& multipliers, double least) {
+  constexpr double kReal = 1e-9;
   Magnitudes result;
   for (const std::complex<double>& mu : multipliers) {
     const double size = std::abs(mu);
     const bool real = std::abs(mu.imag()) <= kReal * size;
-    if (size < kFaded || (!real && mu.imag() < 0.0)) continue;
+    if (size < least || (!real && mu.imag() < 0.0)) continue;
     result[real ? (mu.real() > 0.0 ? 0 : 1) : kPairs].push_back(std::log(size));
   }
   for (std::vector<double>& sort : result) std::sort(sort.begin(), sort.end(), std::greater<>());
@@ -86,8 +94,9 @@ bool comes_near_zero(const ThreeValues& f, double back, double length) {
 bool multipliers_come_near(const TestsBefore& before, const BifurcationTests& begin, double length,
                            const BifurcationTests& end) {
   constexpr double kKnown = 1e-6;  // of a double multiplier that is 1, to the root of rounding
-  const Magnitudes a = magnitudes(before.tests.multipliers), b = magnitudes(begin.multipliers),
-                   c = magnitudes(end.multipliers);
+  const double least = std::max({least_known(before.tests), least_known(begin), least_known(end)});
+  const Magnitudes a = magnitudes(before.tests.multipliers, least), b = magnitudes(begin.multipliers, least),
+                   c = magnitudes(end.multipliers, least);
   for (std::size_t sort = 0; sort < a.size(); ++sort) {
     // Without a test for pairs none of them leaves its circle.
     if (sort == kPairs && !end.of(SpecialKind::neimark_sacker)) continue;

@@ -14,10 +14,10 @@
 
 namespace signorini {
 
-Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent) {
+Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent, MultiplierRange range) {
   return {.x = equations.orbit().x,
           .tangent = tangent,
-          .tests = bifurcation_tests(equations, tangent),
+          .tests = bifurcation_tests(equations, tangent, range),
           .survey = survey(equations)};
 }
 

@@ -23,7 +23,8 @@ struct Station {
 };
 
 /// The orbit at which the equations are evaluated.
-Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent);
+Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
+                   MultiplierRange range = MultiplierRange::all);
 
 /// The same as a point of a branch, in SI units. \param phases  of a forcing period at which it keeps its
 /// motion

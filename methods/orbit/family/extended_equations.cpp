@@ -258,7 +258,17 @@ bool ExtendedEquations::take(const Eigen::VectorXd& x, bool derivatives) {
 
 bool ExtendedEquations::evaluate_motion(const Eigen::VectorXd& x) { return take(x, false); }
 
+// Guards and what lies hidden on a step are looked for by motions alone, and come back to its end.
 bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
+  if (whole_.x.size() == x.size() && whole_.x == x) {
+    orbit_.x = x;
+    orbit_.events = whole_.events;
+    residual_ = whole_.residual;
+    model_ = whole_.model;
+    equations_ = whole_.equations;
+    return true;
+  }
+  whole_.x.resize(0);
   if (!take(x, true)) return false;
   const Eigen::VectorXd factors = state_factors(*model_);
   const Eigen::Index states = factors.size();
@@ -266,7 +276,9 @@ bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
   square = equations_->jacobian();
   square.leftCols(states) *= factors.asDiagonal();
   square.topRows(states).array().colwise() /= factors.array();
-  return divide_rows(x);
+  if (!divide_rows(x)) return false;
+  whole_ = {.x = x, .residual = residual_, .events = orbit_.events, .model = model_, .equations = equations_};
+  return true;
 }
 
 const Eigen::MatrixXd& ExtendedEquations::jacobian() {

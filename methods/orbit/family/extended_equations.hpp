@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "methods/orbit/family/sequenced_orbit.hpp"
 
@@ -37,10 +38,11 @@ class ExtendedEquations {
   ExtendedEquations& operator=(const ExtendedEquations&) = delete;
 
   [[nodiscard]] Eigen::Index size() const { return orbit_.x.size() - 1; }  ///< Ns + m
-  /// Evaluates R and its derivative but for dR/dp at x; false where anything is not finite or a flow cannot
-  /// be formed.
+  /// Evaluates R and its derivative but for dR/dp at x, or goes back there if no other x has had these since;
+  /// false where anything is not finite or a flow cannot be formed.
   bool evaluate(const Eigen::VectorXd& x);
-  /// Evaluates R and the arcs alone; `jacobian` and `monodromy` are then undefined until the next `evaluate`.
+  /// Evaluates R and the arcs alone; until the next `evaluate` `jacobian` is that of the last one, and
+  /// `monodromy` undefined.
   bool evaluate_motion(const Eigen::VectorXd& x);
   /// Of sequences that end a complete chatter: puts the instants of x where `event_instants` has them, before
   /// an evaluation within Newton's method; leaves x as it is where they are not to be had.
@@ -103,9 +105,17 @@ class ExtendedEquations {
   OrbitFamily& family_;
   SequencedOrbit orbit_;
   std::shared_ptr<OrbitModel> model_;
-  std::unique_ptr<OrbitEquations> equations_;
+  std::shared_ptr<OrbitEquations> equations_;
   Eigen::VectorXd residual_, column_at_;
   Eigen::MatrixXd jacobian_;
+  // Where `jacobian_` was evaluated, and all else there.
+  struct Evaluated {
+    Eigen::VectorXd x, residual;
+    std::vector<SequenceEvent> events;
+    std::shared_ptr<OrbitModel> model;
+    std::shared_ptr<OrbitEquations> equations;
+  };
+  Evaluated whole_;
 };
 
 }  // namespace signorini

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace signorini::arc_length_test {
@@ -107,6 +108,72 @@ TEST(ArcLength, HoldsConditionsWhereEquationsAreDependent) {
   EXPECT_NEAR(tangent->dot(along), 1.0, 1e-14);
   ASSERT_TRUE(correct_at_parameter(paraboloid, Eigen::Vector3d(0.6, 0.8, 4.0)));
   EXPECT_NEAR((paraboloid.x() - Eigen::Vector3d(1.2, 1.6, 4.0)).norm(), 0.0, 1e-12);
+}
+
+/// x_k + .1 sin(x_{k+1}) = p for k = 0, ..., n - 1, x_n = p: from the last unknown backwards in closed form.
+class LongChain {
+ public:
+  explicit LongChain(Eigen::Index count) : count_(count) {}
+  [[nodiscard]] Eigen::Index size() const { return count_; }
+  bool evaluate(const Eigen::VectorXd& x) {
+    ++jacobians;
+    J_ = Eigen::MatrixXd::Identity(count_, count_ + 1);
+    for (Eigen::Index k = 0; k < count_; ++k) J_(k, k + 1) = 0.1 * std::cos(x[k + 1]);
+    J_.col(count_).array() -= 1.0;
+    x_ = x;
+    return x.allFinite();
+  }
+  bool evaluate_motion(const Eigen::VectorXd& x) {
+    x_ = x;
+    return moves;
+  }
+  [[nodiscard]] Eigen::VectorXd residual() const {
+    return (x_.head(count_).array() + 0.1 * x_.tail(count_).array().sin() - x_[count_]).matrix();
+  }
+  [[nodiscard]] Eigen::MatrixXd jacobian() const { return J_; }
+  [[nodiscard]] double noise() const { return 1e-16; }
+  [[nodiscard]] Eigen::VectorXd solution(double p) const {
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(count_ + 1, p);
+    for (Eigen::Index k = count_ - 1; k >= 0; --k) x[k] = p - 0.1 * std::sin(x[k + 1]);
+    return x;
+  }
+  [[nodiscard]] const Eigen::VectorXd& x() const { return x_; }
+
+  int jacobians = 0;
+  bool moves = true;
+
+ private:
+  Eigen::Index count_;
+  Eigen::VectorXd x_;
+  Eigen::MatrixXd J_;
+};
+
+TEST(ArcLength, ManyEquationsAreSolvedBySecantsFromTheJacobianBefore) {
+  LongChain chain(80);
+  const Eigen::VectorXd begin = chain.solution(0.4);
+  ASSERT_TRUE(chain.evaluate(begin));
+  const Eigen::VectorXd along = Eigen::VectorXd::Unit(begin.size(), begin.size() - 1);
+  Eigen::VectorXd predicted = begin;
+  predicted[chain.size()] = 0.9;
+  ASSERT_TRUE(correct(chain, predicted, along, {.secants = true}));
+  EXPECT_LT((chain.x() - chain.solution(0.9)).lpNorm<Eigen::Infinity>(), 1e-12);
+  EXPECT_EQ(chain.jacobians, 2) << "where it begins, and where it ends";
+  const int before = chain.jacobians;
+  ASSERT_TRUE(correct(chain, predicted, along, {}));
+  EXPECT_LT((chain.x() - chain.solution(0.9)).lpNorm<Eigen::Infinity>(), 1e-12);
+  EXPECT_GT(chain.jacobians, before + 2) << "of Newton's method";
+}
+
+TEST(ArcLength, NewtonGoesOnWhereSecantsFail) {
+  LongChain chain(80);
+  const Eigen::VectorXd begin = chain.solution(0.4);
+  ASSERT_TRUE(chain.evaluate(begin));
+  const Eigen::VectorXd along = Eigen::VectorXd::Unit(begin.size(), begin.size() - 1);
+  Eigen::VectorXd predicted = begin;
+  predicted[chain.size()] = 0.9;
+  chain.moves = false;
+  ASSERT_TRUE(correct(chain, predicted, along, {.secants = true}));
+  EXPECT_LT((chain.x() - chain.solution(0.9)).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
 TEST(ArcLength, StepsGrowWithEaseAndNeverBeyondTheLargest) {

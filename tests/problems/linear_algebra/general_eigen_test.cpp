@@ -226,5 +226,94 @@ TEST(GeneralEigen, OfNothing) {
   EXPECT_EQ(general_eigenvalues(Matrix(0, 0)).size(), 0);
 }
 
+/// Pairs and real values of falling magnitude in blocks, in other coordinates that are not orthogonal.
+Matrix with_values(const std::vector<Complex>& values) {
+  const auto size = static_cast<int>(values.size());
+  Matrix D = Matrix::Zero(size, size);
+  for (int k = 0; k < size; ++k) {
+    const Complex mu = values[static_cast<std::size_t>(k)];
+    D(k, k) = mu.real();
+    if (mu.imag() == 0.0) continue;
+    D(k + 1, k + 1) = mu.real();
+    D(k, k + 1) = -mu.imag();
+    D(k + 1, k) = mu.imag();
+    ++k;
+  }
+  const Matrix Q = orthogonal_matrix(size, 3);
+  Matrix scaled = Q, inverse = transposed(Q);
+  for (int k = 0; k < size; ++k) {
+    const double unit = k % 3 == 0 ? 5.0 : 1.0;
+    for (int i = 0; i < size; ++i) {
+      scaled(k, i) *= unit;
+      inverse(i, k) /= unit;
+    }
+  }
+  return product(scaled, product(D, inverse));
+}
+
+/// Those of a rod whose modes are damped alike: |mu| = e^{-fall r}, r = 1, 3, 5, ... quarter waves.
+std::vector<Complex> of_a_rod(int pairs, double fall) {
+  std::vector<Complex> values;
+  for (int k = 0; k < pairs; ++k) {
+    const double r = 2.0 * k + 1.0;
+    values.push_back(std::polar(std::exp(-fall * r), 0.9 + 0.7 * r * r));
+    values.push_back(std::conj(values.back()));
+  }
+  return values;
+}
+
+void expect_leading(const Matrix& A, const std::vector<Complex>& values, Eigen::Index at_least) {
+  const Eigen::VectorXcd found = leading_eigenvalues(A, 1e-10);
+  ASSERT_GE(found.size(), at_least);
+  for (Eigen::Index k = 0; k < found.size(); ++k) {
+    double nearest = 1e300;
+    for (const Complex value : values) nearest = std::min(nearest, std::abs(value - found[k]));
+    EXPECT_LT(nearest, 1e-9 * std::max(1.0, std::abs(found[0]))) << k;
+    EXPECT_LE(std::abs(found[k]), std::abs(found[std::max<Eigen::Index>(k - 1, 0)])) << k;
+  }
+  // None is missing that is larger than the last one.
+  const double least = std::abs(found[found.size() - 1]) * (1.0 + 1e-9);
+  EXPECT_LE(std::ranges::count_if(values, [&](Complex value) { return std::abs(value) > least; }),
+            found.size());
+}
+
+TEST(LeadingEigenvalues, AreTheLargestOfThoseOfAStructure) {
+  std::vector<Complex> values = of_a_rod(60, 0.047);
+  expect_leading(with_values(values), values, 8);
+  values[0] = 3.0;  // two real ones, beyond the circle and on it
+  values[1] = -1.0;
+  expect_leading(with_values(values), values, 8);
+  values[0] = values[1] = -1.2;  // twice
+  expect_leading(with_values(values), values, 8);
+}
+
+TEST(LeadingEigenvalues, OfBothHalvesOfASymmetricStructureAreTwice) {
+  const std::vector<Complex> half = of_a_rod(30, 0.1);
+  std::vector<Complex> values = half;
+  values.insert(values.end(), half.begin(), half.end());
+  const Eigen::VectorXcd found = leading_eigenvalues(with_values(values), 1e-10);
+  ASSERT_GE(found.size(), 4);
+  EXPECT_LT(mismatch(found.head(4), {half[0], half[0], half[1], half[1]}), 1e-9);
+}
+
+TEST(LeadingEigenvalues, AreLeftOutWhereTheyAreNotKnown) {
+  EXPECT_EQ(leading_eigenvalues(cyclic_shift(200), 1e-10).size(), 0) << "all of one magnitude";
+  Matrix A = cyclic_shift(80);
+  A(3, 4) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(leading_eigenvalues(A, 1e-10).size(), 0);
+  EXPECT_EQ(leading_eigenvalues(Matrix(0, 0), 1e-10).size(), 0);
+}
+
+TEST(LeadingEigenvalues, OfASmallMatrixAndOfOneOfSmallRankAreAllThatDiffer) {
+  const std::vector<Complex> values{{0.5, 0.5}, {0.5, -0.5}, -0.3, 0.2, 0.1};
+  const Eigen::VectorXcd found = leading_eigenvalues(with_values(values), 1e-10);
+  ASSERT_EQ(found.size(), 5);
+  EXPECT_LT(mismatch(found, values), 1e-12);
+  std::vector<Complex> few(100, 0.0);
+  few[0] = 1e8;  // beside a grazing
+  few[1] = 0.6;
+  expect_leading(with_values(few), few, 1);
+}
+
 }  // namespace
 }  // namespace signorini::general_eigen_test

@@ -98,6 +98,23 @@ INSTANTIATE_TEST_SUITE_P(Sorts, MayHideBifurcationsOfMultipliers,
                          testing::Values(Watched{"fold", 1.0}, Watched{"doubling", -1.0},
                                          Watched{"pair", std::polar(1.0, 2.0)}));
 
+// Of two points only the largest are known: those that have no counterpart there are not looked at.
+TEST(MayHideBifurcations, ByTheMultipliersThatAllPointsTellOf) {
+  const auto hides = [](double height) {
+    const auto at = [height](double s, bool leading) {
+      BifurcationTests tests{.leading = leading};
+      const double mu = std::exp(-valley(s, height));
+      tests.multipliers = Eigen::Vector4cd(mu, -0.3, 0.2, 0.1);
+      if (leading) tests.multipliers = Eigen::Vector2cd(mu, -0.3);
+      return tests;
+    };
+    return may_hide_bifurcations(TestsBefore{.tests = at(0.3, true), .length = 0.3}, at(0.6, false), 0.7,
+                                 at(1.3, true));
+  };
+  EXPECT_TRUE(hides(-0.01));
+  EXPECT_FALSE(hides(0.1));
+}
+
 TEST(MayHideBifurcations, OfNoMultipliersThatAreOneToRounding) {
   const auto tests = [](double error) {
     BifurcationTests at;

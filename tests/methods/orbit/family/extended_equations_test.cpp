@@ -124,5 +124,27 @@ TEST(TangentOf, IsTheDirectionOfTheCurve) {
   EXPECT_NEAR(std::abs((a - b).normalized().dot(first)), 1.0, 1e-9);
 }
 
+// After motions beside an orbit, with other arcs, the orbit is there again as it was.
+TEST(ExtendedEquations, GoBackToWhereTheyWereEvaluated) {
+  OrbitFamily family(over_frequency(test::penalty_oscillator(100.0, 2.2), 2.0, 2.6));
+  const SequencedOrbit orbit = cold(family, 2.2);
+  ExtendedEquations equations(family, orbit), once(family, orbit);
+  ASSERT_TRUE(equations.evaluate(orbit.x));
+  ASSERT_TRUE(once.evaluate(orbit.x));
+  const Eigen::MatrixXd J = equations.jacobian();
+  Eigen::VectorXd beside = orbit.x;
+  beside.array() += 1e-3;
+  ASSERT_TRUE(equations.evaluate_motion(beside));
+  EXPECT_NE(equations.residual(), once.residual());
+  ASSERT_TRUE(equations.evaluate(orbit.x));
+  EXPECT_EQ(equations.residual(), once.residual());
+  EXPECT_EQ(equations.jacobian(), J);
+  EXPECT_EQ(equations.monodromy(), once.monodromy());
+  EXPECT_EQ(equations.state_at(1.0), once.state_at(1.0));
+  EXPECT_EQ(equations.frequency(), once.frequency());
+  ASSERT_TRUE(equations.evaluate(beside));
+  EXPECT_NE(equations.residual(), once.residual()) << "elsewhere they are evaluated anew";
+}
+
 }  // namespace
 }  // namespace signorini::extended_equations_test
