@@ -6,9 +6,28 @@
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/bifurcations.hpp"
-#include "problems/linear_algebra/singular_values.hpp"
+#include "problems/linear_algebra/lu.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
+
+namespace {
+
+// Unit vectors: the two along the surface R = 0, the null space of R_x, and, where R is more than its noise,
+// the shortest step to it, -R_x^+ R.
+Eigen::MatrixXd ways_to(const Eigen::MatrixXd& R_x, const Eigen::VectorXd& R, double noise) {
+  const Eigen::Index n = R_x.rows();
+  const QrFactors qr = householder_qr(R_x.transpose());
+  Eigen::MatrixXd ways = qr.Q.rightCols(2);
+  if (R.lpNorm<Eigen::Infinity>() <= noise) return ways;
+  const Eigen::VectorXd back = qr.Q.leftCols(n) * lower_solve(qr.R.topRows(n).transpose(), R);
+  if (!back.allFinite() || back.isZero(0.0)) return ways;
+  ways.conservativeResize(Eigen::NoChange, 3);
+  ways.col(2) = back.normalized();
+  return ways;
+}
+
+}  // namespace
 
 OrbitPlane::OrbitPlane(const ScenePlane& plane)
     : plane_(plane), unit_(std::abs(plane.to - plane.from) / 3.0) {
@@ -39,12 +58,15 @@ SpecialEquations::SpecialEquations(OrbitPlane& plane, SequencedOrbit orbit, Spec
       guard_(std::move(guard)),
       reference_(std::move(reference)) {}
 
-bool SpecialEquations::evaluate(const Eigen::VectorXd& x) {
+bool SpecialEquations::evaluate(const Eigen::VectorXd& x) { return take(x, true); }
+
+bool SpecialEquations::take(const Eigen::VectorXd& x, bool derivatives) {
   if (!x.allFinite()) return false;
   try {
     auto family = plane_.family(x[size()] * plane_.unit());
     auto equations = std::make_unique<ExtendedEquations>(*family, orbit_);
-    if (!equations->evaluate(x.head(size()))) return false;
+    const Eigen::VectorXd orbit = x.head(size());
+    if (!(derivatives ? equations->evaluate(orbit) : equations->evaluate_motion(orbit))) return false;
     equations_ = std::move(equations);
     family_ = std::move(family);
   } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
@@ -65,10 +87,14 @@ const Eigen::MatrixXd& SpecialEquations::jacobian() {
 }
 
 bool SpecialEquations::rescale() {
-  scale_ = 1.0;
-  if (!evaluate(Eigen::VectorXd(x_))) return false;
-  scale_ = jacobian().row(size() - 1).norm();
-  return scale_ > 0.0 && evaluate(Eigen::VectorXd(x_));
+  const Eigen::Index last = size() - 1;
+  (void)jacobian();
+  if (!(slope_ > 0.0) || !std::isfinite(slope_)) return false;
+  residual_[last] /= slope_;
+  jacobian_.row(last) /= slope_;
+  scale_ *= slope_;
+  slope_ = 1.0;
+  return true;
 }
 
 void SpecialEquations::take_reference() {
@@ -80,31 +106,39 @@ std::optional<double> SpecialEquations::condition(ExtendedEquations& at) const {
     const auto found = guard_of(at, guard_->kind, guard_->index);
     return found ? std::optional(found->value) : std::nullopt;
   }
+  if (!needs_derivatives()) return bifurcation_test(at, reference_, kind_);
   const auto tangent = tangent_of(at, reference_);
   return tangent ? bifurcation_test(at, *tangent, kind_) : std::nullopt;
 }
 
 void SpecialEquations::differentiate() {
-  constexpr double kStep = 1e-7, kBeside = 1e-5;  // in the units of the curve
+  constexpr double kStep = 1e-7, kBeside = 1e-5, kNoise = 100.0;  // in the units of the curve; of the noise
   const Eigen::Index n = size() - 1;
   const Eigen::VectorXd x = x_, residual = residual_;
-  Eigen::MatrixXd J(n + 1, n + 2);
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n + 1, n + 2);
   J.topLeftCorner(n, n + 1) = equations_->jacobian();
-  const auto beside = [&](const Eigen::VectorXd& at) {
-    return evaluate(at) ? residual_ : Eigen::VectorXd::Constant(n + 1, std::nan(""));
+  const std::shared_ptr<OrbitFamily> family = family_;
+  auto equations = std::move(equations_);
+  const auto beside = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+    return take(at, needs_derivatives()) ? residual_ : Eigen::VectorXd::Constant(n + 1, std::nan(""));
   };
   J.topRightCorner(n, 1) =
       (beside(x + kStep * Eigen::VectorXd::Unit(n + 2, n + 1)) - residual).head(n) / kStep;
-  J.row(n).setZero();
+  slope_ = 0.0;
   if (J.allFinite()) {
-    const Eigen::MatrixXd V = right_singular_vectors(J.topRows(n));
-    for (Eigen::Index k = n; k < n + 2; ++k) {
-      const Eigen::VectorXd way = V.col(k);
-      const double ahead = beside(x + kBeside * way)[n], behind = beside(x - kBeside * way)[n];
-      J.row(n) += (ahead - behind) / (2.0 * kBeside) * way.transpose();
+    const Eigen::MatrixXd ways = ways_to(J.topRows(n), residual.head(n), kNoise * equations->noise());
+    for (Eigen::Index k = 0; k < ways.cols(); ++k) {
+      const double ahead = beside(x + kBeside * ways.col(k))[n],
+                   behind = beside(x - kBeside * ways.col(k))[n];
+      const double slope = (ahead - behind) / (2.0 * kBeside);
+      if (k < 2) slope_ = std::hypot(slope_, slope);
+      J.row(n) += slope * ways.col(k).transpose();
     }
   }
-  evaluate(x);
+  family_ = family;
+  equations_ = std::move(equations);
+  x_ = x;
+  residual_ = residual;
   jacobian_ = std::move(J);
 }
 

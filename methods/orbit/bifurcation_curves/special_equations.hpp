@@ -37,9 +37,10 @@ class OrbitPlane {
 ///
 ///     R(x, q) = 0 (ExtendedEquations),    psi(x, q) / |psi'| = 0,
 ///
-/// psi a test function (BifurcationTests) or a guard (OrbitSurvey). On the surface R = 0 psi changes in two
-/// directions, and these alone are differentiated, by central differences: what this leaves out of the last
-/// row delays Newton's method and moves no point.
+/// psi a test function (BifurcationTests) or a guard (OrbitSurvey). The last row of the Jacobian has psi's
+/// derivatives in three directions, by central differences: the two along the surface R = 0, |psi'| there,
+/// and the shortest step to it, -R_x^+ R. A step of Newton's method is a sum of these, so that no other is
+/// asked.
 class SpecialEquations {
  public:
   /// \param plane      kept by the caller
@@ -55,7 +56,7 @@ class SpecialEquations {
   const Eigen::MatrixXd& jacobian();                                           ///< (n + 1) x (n + 2)
   [[nodiscard]] double noise() const { return equations_->noise(); }           ///< of R
 
-  /// Takes |psi'| where it is evaluated; false where psi has no derivative.
+  /// Takes |psi'| where it is evaluated; false where psi has no derivative along the surface.
   bool rescale();
   /// Takes the tangent where it is evaluated as the reference.
   void take_reference();
@@ -67,7 +68,9 @@ class SpecialEquations {
   [[nodiscard]] const Eigen::VectorXd& reference() const { return reference_; }    ///< as taken
 
  private:
+  bool take(const Eigen::VectorXd& x, bool derivatives);
   std::optional<double> condition(ExtendedEquations& at) const;
+  [[nodiscard]] bool needs_derivatives() const { return guard_ || kind_ != SpecialKind::phase_resonance; }
   void differentiate();
 
   OrbitPlane& plane_;
@@ -75,7 +78,7 @@ class SpecialEquations {
   SpecialKind kind_;
   std::optional<OrbitGuard> guard_;
   Eigen::VectorXd reference_;
-  double scale_ = 1.0;
+  double scale_ = 1.0, slope_ = 0.0;  // the latter |psi'| over the former
   std::shared_ptr<OrbitFamily> family_;
   std::unique_ptr<ExtendedEquations> equations_;
   Eigen::VectorXd x_, residual_;

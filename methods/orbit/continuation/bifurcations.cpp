@@ -108,6 +108,22 @@ Eigen::VectorXcd force_harmonic(const ExtendedEquations& equations, double w) {
   return 2.0 / (end - begin) * sums.row(1).transpose();
 }
 
+// What the ends of a period that does not close add where M u'' + D u' + K u, times (2 / T) e^{-i w t}, is
+// integrated by parts: (2 / T) e^{-i w t_0} [M dv + (D + i w M) du], Nd [N]; 0 of an orbit.
+Eigen::VectorXcd open_ends(const ExtendedEquations& equations, double w) {
+  const FlowStructure& structure = equations.model().dynamics.structure();
+  const CurveUnits& units = equations.family().units();
+  const Eigen::VectorXd du = units.displacement * equations.residual().head(structure.size());
+  const Eigen::VectorXd dv =
+      units.velocity * equations.residual().segment(structure.positions(), structure.size());
+  Eigen::VectorXcd ends(structure.size());
+  ends.real() = structure.mass * dv;
+  ends.real() += structure.damping * du;
+  ends.imag() = w * (structure.mass * du);
+  const double begin = equations.time_of(0.0), end = equations.time_of(equations.orbit().end());
+  return 2.0 / (end - begin) * std::polar(1.0, -w * begin) * ends;
+}
+
 // K - w^2 M + i w D.
 Eigen::MatrixXcd dynamic_stiffness(const FlowStructure& structure, double w) {
   Eigen::MatrixXcd Z(structure.size(), structure.size());
@@ -135,7 +151,8 @@ std::optional<LoadPhase> load_phase(const ExtendedEquations& equations) {
   if (force.size() != structure.contact_count()) return std::nullopt;
   const Eigen::VectorXcd f = structure.load.col(harmonic);
   const Eigen::VectorXcd u =
-      lu_solve(dynamic_stiffness(structure, w), f + image_of_complex(structure.directions, force));
+      lu_solve(dynamic_stiffness(structure, w),
+               f + image_of_complex(structure.directions, force) - open_ends(equations, w));
   const Eigen::VectorXd cosine = u.real(), sine = u.imag();
   const Complex work = f.dot(u);  // f^H u
   const double kinetic =

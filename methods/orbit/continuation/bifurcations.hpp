@@ -55,10 +55,11 @@ std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen
                                        SpecialKind kind);
 
 /// How a motion answers a load of one harmonic, Re f e^{i h omega t}: with Re u e^{i h omega t} that harmonic
-/// of the displacement, (K - (h omega)^2 M + i h omega D) u = f + W lambda, the load puts in the power -h
-/// omega Im(f^H u) / 2, which dampers and impacts take. Where Re f^H u = 0 it is in quadrature with the
-/// displacement, as the forces of dampers are, and balances them: to first order in the damping the motion is
-/// one of the structure without load and damping [peeters2011].
+/// of the displacement, (K - (h omega)^2 M + i h omega D) u = f + W lambda (less what the ends of a period
+/// add that does not close, as within Newton's method), the load puts in the power -h omega Im(f^H u) / 2,
+/// which dampers and impacts take. Where Re f^H u = 0 it is in quadrature with the displacement, as the
+/// forces of dampers are, and balances them: to first order in the damping the motion is one of the structure
+/// without load and damping [peeters2011].
 struct LoadPhase {
   /// Re(f^H u) |f| X / |f^H u|^2, X of CurveUnits: over |f|^2 / X the real part of the dynamic stiffness that
   /// the load meets, which has no peak at a resonance [-].
