@@ -86,6 +86,7 @@ struct SolutionPoint {
   std::optional<double> energy = {};  ///< of a free motion, kinetic and of all springs [J]
   /// Of a phase resonance: of the linear mode that takes the same power at the same first harmonic [-].
   std::optional<double> damping_ratio = {};
+  std::optional<double> second = {};  ///< of a curve over two numbers the second one, in its unit
   OrbitStability stability = OrbitStability::undefined;  ///< as the method has it
   std::string undefined = {};                            ///< why it is, one clause, where that is known
   Eigen::VectorXcd multipliers = {};  ///< Floquet, 2 Nd or the largest; empty where undefined or unknown
@@ -147,22 +148,6 @@ struct BranchDiagram {
   std::optional<double> seconds = {};  ///< of a method that works in processes of its own: what they took [s]
 };
 
-/// Special points of one kind and one sequence of events as a curve over two numbers.
-struct BifurcationCurve {
-  SpecialKind kind = SpecialKind::fold;    ///< of all of them
-  std::string sequence = {};               ///< as of a Branch
-  std::string began = {};                  ///< why there, one clause
-  std::string ended = {};                  ///< likewise
-  std::vector<SolutionPoint> points = {};  ///< `parameter` is the first number
-  std::vector<double> second = {};         ///< the second number at each point
-};
-
-/// Such curves, and whether that is all.
-struct BifurcationCurves {
-  std::vector<BifurcationCurve> curves = {};  ///< in the order of their beginnings
-  std::string unfinished = {};                ///< of the search for these; empty where nothing
-};
-
 /// A motion at a value of the parameter, at which branches may begin.
 struct KnownMotion {
   double parameter = 0.0;                              ///< the value
@@ -199,10 +184,10 @@ class CurveMethod {
   /// exception. \param scene  that `follows` accepts
   [[nodiscard]] virtual BranchDiagram follow(const ParametrisedScene& scene,
                                              const CurveLimits& limits) const = 0;
-  /// Curves of the special points of a kind, one from each at plane.from towards plane.to; `unfinished` says
-  /// why there is none. Empty: it follows none of this kind.
+  /// Curves of the special points of a kind, one from each at plane.from towards plane.to, their points with
+  /// the second number; `unfinished` says why there is none. Empty: it follows none of this kind.
   /// \param plane  whose scenes `follows` accepts
-  [[nodiscard]] virtual std::optional<BifurcationCurves> follow_bifurcations(
+  [[nodiscard]] virtual std::optional<BranchDiagram> follow_bifurcations(
       [[maybe_unused]] const ScenePlane& plane, [[maybe_unused]] SpecialKind kind,
       [[maybe_unused]] const CurveLimits& limits) const {
     return std::nullopt;

@@ -95,9 +95,9 @@ std::vector<std::string> followed_kinds() {
   return names;
 }
 
-BifurcationCurves bifurcation_response(const SceneSource& source, double from, double to,
-                                       const SecondParameter& second, const std::string& kind,
-                                       const MethodChoice& method, const CurveLimits& limits) {
+BranchDiagram bifurcation_response(const SceneSource& source, double from, double to,
+                                   const SecondParameter& second, const std::string& kind,
+                                   const MethodChoice& method, const CurveLimits& limits) {
   const SpecialKind followed = followed_kind(kind);
   const ScenePlane plane = plane_of(source, from, to, second);
   require_curve(plane.at(second.from), method);
@@ -119,47 +119,44 @@ ParameterRange backbone_band(const SceneSource& source) {
   return *band;
 }
 
-nlohmann::ordered_json to_json(const BifurcationCurves& response, const std::string& second) {
+nlohmann::ordered_json bifurcation_json(const BranchDiagram& curves, const std::string& kind,
+                                        const std::string& second) {
   using Json = nlohmann::ordered_json;
-  Json curves = Json::array();
-  for (const BifurcationCurve& curve : response.curves) {
+  Json list = Json::array();
+  for (const Branch& curve : curves.branches) {
     Json points = Json::array();
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-      Json point = to_json(curve.points[i]);
-      if (curve.kind != SpecialKind::phase_resonance) {  // of a change of stability it is rounding
+    for (const SolutionPoint& one : curve.points) {
+      Json point = to_json(one);
+      if (followed_kind(kind) != SpecialKind::phase_resonance) {  // of a change of stability it is rounding
         point.erase("stable");
         point.erase("stability");
       }
-      point["second"] = curve.second[i];
       points.push_back(std::move(point));
     }
-    curves.push_back({{"kind", describe(curve.kind)},
-                      {"sequence", curve.sequence},
-                      {"points", points},
-                      {"began", curve.began},
-                      {"ended", curve.ended}});
+    list.push_back({{"kind", kind},
+                    {"sequence", curve.sequence},
+                    {"points", points},
+                    {"began", curve.began},
+                    {"ended", curve.ended}});
   }
-  return {
-      {"parameter", kFrequency}, {"second", second}, {"curves", curves}, {"unfinished", response.unfinished}};
+  return {{"parameter", kFrequency}, {"second", second}, {"curves", list}, {"unfinished", curves.unfinished}};
 }
 
-Table bifurcation_table(const BifurcationCurves& response, const std::string& second) {
+Table bifurcation_table(const BranchDiagram& curves, const std::string& kind, const std::string& second) {
   Table table;
   table.header = {"curve",   "kind",      "omega [rad/s]", second, "order",
                   "impacts", "x max [m]", "amplitude [m]", "mark"};
-  const bool damped = std::ranges::any_of(response.curves, [](const BifurcationCurve& curve) {
-    return curve.kind == SpecialKind::phase_resonance;
-  });
+  const bool damped = followed_kind(kind) == SpecialKind::phase_resonance;
   for (const char* title : {"damping ratio", "stability"})
     if (damped) table.header.insert(table.header.end() - 1, title);
-  for (std::size_t c = 0; c < response.curves.size(); ++c) {
-    const BifurcationCurve& curve = response.curves[c];
+  for (std::size_t c = 0; c < curves.branches.size(); ++c) {
+    const Branch& curve = curves.branches[c];
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const SolutionPoint& point = curve.points[i];
       const bool first = i == 0, last = i + 1 == curve.points.size();
       std::vector<Cell>& row = table.rows.emplace_back(
-          std::vector<Cell>{value_cell(static_cast<double>(c)), describe(curve.kind),
-                            value_cell(point.frequency), value_cell(curve.second[i]), value_cell(point.order),
+          std::vector<Cell>{value_cell(static_cast<double>(c)), kind, value_cell(point.frequency),
+                            value_cell(point.second.value_or(std::nan(""))), value_cell(point.order),
                             value_cell(point.impacts), largest_in(point.x_max), largest_in(point.amplitude),
                             last    ? "ends: " + curve.ended
                             : first ? "begins: " + curve.began

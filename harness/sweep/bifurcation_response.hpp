@@ -31,9 +31,9 @@ std::vector<std::string> followed_kinds();
 /// \param kind  one of followed_kinds. \throws UsageError where the method follows none of these or not this
 /// scene, the interval is none or the place is that of the frequency; SceneError where an end is no scene;
 /// InvalidOption
-BifurcationCurves bifurcation_response(const SceneSource& source, double from, double to,
-                                       const SecondParameter& second, const std::string& kind,
-                                       const MethodChoice& method, const CurveLimits& limits);
+BranchDiagram bifurcation_response(const SceneSource& source, double from, double to,
+                                   const SecondParameter& second, const std::string& kind,
+                                   const MethodChoice& method, const CurveLimits& limits);
 
 /// The interval of the frequency of a backbone unless it is asked for: free_motion_band of the scene at rest.
 /// \throws UsageError where there is none
@@ -42,11 +42,12 @@ ParameterRange backbone_band(const SceneSource& source);
 /// {"parameter", "second", "curves": [{"kind", "sequence", "points": [{"second", ...}], "began", "ended"}],
 /// "unfinished"}, the other keys of a point those of to_json(SolutionPoint); without those of stability where
 /// the kind is a change of it.
-/// \param second  its place
-nlohmann::ordered_json to_json(const BifurcationCurves& response, const std::string& second);
+/// \param kind    one of followed_kinds \param second  its place
+nlohmann::ordered_json bifurcation_json(const BranchDiagram& curves, const std::string& kind,
+                                        const std::string& second);
 
 /// One row per point, in the order of the curves; of phase resonances with stability and damping ratio.
-/// \param second  its place
-Table bifurcation_table(const BifurcationCurves& response, const std::string& second);
+/// \param kind    one of followed_kinds \param second  its place
+Table bifurcation_table(const BranchDiagram& curves, const std::string& kind, const std::string& second);
 
 }  // namespace signorini

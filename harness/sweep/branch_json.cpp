@@ -46,6 +46,7 @@ void add_point(Json& json, const SolutionPoint& point) {
   if (point.parameter != point.frequency) json["value"] = point.parameter;
   if (point.energy) json["energy"] = *point.energy;
   if (point.damping_ratio) json["damping_ratio"] = *point.damping_ratio;
+  if (point.second) json["second"] = *point.second;
   if (point.motion.size() > 0) json["motion"] = motion_json(point.motion);
 }
 
@@ -107,6 +108,7 @@ SolutionPoint point_from_json(const Json& json) {
                                                        number_of_json(multipliers[i].at(1))};
   if (json.contains("energy")) point.energy = number_of_json(json.at("energy"));
   if (json.contains("damping_ratio")) point.damping_ratio = number_of_json(json.at("damping_ratio"));
+  if (json.contains("second")) point.second = number_of_json(json.at("second"));
   if (json.contains("motion")) point.motion = motion_from_json(json.at("motion"), point.amplitude.size());
   return point;
 }

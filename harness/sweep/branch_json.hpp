@@ -13,7 +13,8 @@ namespace signorini {
 /// {"omega", "order", "amplitude", "x_max", "impacts", "stable", "stability", "multipliers"}; amplitude and
 /// x_max have an entry per contact; `stable` is null where the multipliers do not tell; a multiplier is
 /// [re, im]. It has "value" too where the parameter is not the frequency, "energy" where no load drives the
-/// motion, "damping_ratio" at a phase resonance, and "motion", x_j by instants, where that was asked for.
+/// motion, "damping_ratio" at a phase resonance, "second" on a curve over two numbers, and "motion", x_j by
+/// instants, where that was asked for.
 nlohmann::ordered_json to_json(const SolutionPoint& point);
 
 /// {"method", "sequence", "points", "special", "began", "ended"}, points as above. A special point is a point

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -17,6 +18,7 @@
 #include "harness/run/applicability.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "harness/text/json.hpp"
+#include "problems/scene/scene_file.hpp"
 
 namespace signorini {
 
@@ -26,20 +28,21 @@ using Json = nlohmann::ordered_json;
 
 /// In the child: a line for each branch, then one with what else there is of the diagram, or with why the
 /// method cannot be asked.
-void send_branches(const ParametrisedScene& scene, const MethodChoice& method, CurveLimits limits,
-                   const std::function<std::vector<KnownMotion>()>& beginnings, const LineSender& send) {
+void send_branches(const FollowCurves& follow, CurveLimits limits, const LineSender& send) {
   std::size_t sent = 0;
   limits.take = [&](const Branch& branch) {
     send(json_line(to_json(branch, "")));
     ++sent;
   };
+  const auto refuse = [&](const std::exception& error) { send(json_line(Json{{"refused", error.what()}})); };
   try {
-    if (beginnings) std::ranges::move(beginnings(), std::back_inserter(limits.begin_at));
-    const BranchDiagram diagram = branches_of(scene, method, limits).value();
+    const BranchDiagram diagram = follow(limits);
     while (sent < diagram.branches.size()) limits.take(diagram.branches[sent]);  // of a method that does not
     send(json_line(Json{{"unfinished", diagram.unfinished}, {"notes", diagram.notes}}));
   } catch (const UsageError& error) {
-    send(json_line(Json{{"refused", error.what()}}));
+    refuse(error);
+  } catch (const SceneError& error) {
+    refuse(error);
   }
 }
 
@@ -79,20 +82,29 @@ class Received {
 
 }  // namespace
 
-std::optional<IsolatedBranches> isolated_branches(
-    const ParametrisedScene& scene, const MethodChoice& method, const CurveLimits& limits,
-    const std::function<std::vector<KnownMotion>()>& beginnings) {
-  if (!has_curve(method)) return std::nullopt;
+IsolatedBranches isolated_branches(const std::string& method, const CurveLimits& limits,
+                                   const FollowCurves& follow) {
   constexpr double kForever = 1e8;  // [s]: clocks count that far
   Received received(limits.take);
   ChildEnd last;
   run_isolated_together(
-      {[&](const LineSender& send) { send_branches(scene, method, limits, beginnings, send); }},
+      {[&](const LineSender& send) { send_branches(follow, limits, send); }},
       {.stage_seconds = {enforced(std::clamp(limits.deadline.left(), 0.0, kForever)) + kQuickSeconds},
        .memory_mb = Limits{}.memory_mb},
       1, [&](std::size_t, const ChildEnd& end) { last = end; },
       [&](std::size_t, const std::string& line) { received.line(line); });
-  return received.all(method.label(), last);
+  return received.all(method, last);
+}
+
+std::optional<IsolatedBranches> isolated_branches(
+    const ParametrisedScene& scene, const MethodChoice& method, const CurveLimits& limits,
+    const std::function<std::vector<KnownMotion>()>& beginnings) {
+  if (!has_curve(method)) return std::nullopt;
+  return isolated_branches(method.label(), limits, [&](const CurveLimits& given) {
+    CurveLimits asked = given;
+    if (beginnings) std::ranges::move(beginnings(), std::back_inserter(asked.begin_at));
+    return branches_of(scene, method, asked).value();
+  });
 }
 
 std::string law_remark_of(const Scene& scene, const MethodChoice& method) {

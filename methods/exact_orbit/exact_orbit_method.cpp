@@ -378,17 +378,19 @@ BranchDiagram ExactOrbitMethod::follow(const ParametrisedScene& scene, const Cur
   }
 }
 
-std::optional<BifurcationCurves> ExactOrbitMethod::follow_bifurcations(const ScenePlane& plane,
-                                                                       SpecialKind kind,
-                                                                       const CurveLimits& limits) const {
+std::optional<BranchDiagram> ExactOrbitMethod::follow_bifurcations(const ScenePlane& plane, SpecialKind kind,
+                                                                   const CurveLimits& limits) const {
   if (!has_curve(kind)) return std::nullopt;
   try {
-    const OrbitDiagram diagram = exact_diagram(plane.at(plane.from), *this, limits);
-    BifurcationCurves found{bifurcation_curves(plane, diagram, kind, limits), diagram.unfinished};
-    if (found.curves.empty() && found.unfinished.empty()) found.unfinished = why_none(plane, kind);
+    CurveLimits of_diagram = limits;
+    of_diagram.take = {};
+    const OrbitDiagram diagram = exact_diagram(plane.at(plane.from), *this, of_diagram);
+    BranchDiagram found{.branches = bifurcation_curves(plane, diagram, kind, limits),
+                        .unfinished = diagram.unfinished};
+    if (found.branches.empty() && found.unfinished.empty()) found.unfinished = why_none(plane, kind);
     return found;
   } catch (const std::runtime_error& error) {
-    return BifurcationCurves{.unfinished = error.what()};
+    return BranchDiagram{.unfinished = error.what()};
   }
 }
 

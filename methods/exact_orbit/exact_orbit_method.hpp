@@ -70,8 +70,8 @@ class ExactOrbitMethod final : public Method, public CurveMethod {
   [[nodiscard]] BranchDiagram follow(const ParametrisedScene& scene,
                                      const CurveLimits& limits) const override;
   /// Of all kinds but branch points (bifurcation_curves).
-  [[nodiscard]] std::optional<BifurcationCurves> follow_bifurcations(
-      const ScenePlane& plane, SpecialKind kind, const CurveLimits& limits) const override;
+  [[nodiscard]] std::optional<BranchDiagram> follow_bifurcations(const ScenePlane& plane, SpecialKind kind,
+                                                                 const CurveLimits& limits) const override;
 
  private:
   Options options_;

@@ -36,6 +36,7 @@ class Branch:
     frequency: P [rad/s].  amplitude: half of largest minus least displacement, P x Nc [m].  x_max: largest one, P x Nc [m];
     both NaN where there is no answer.  status: P words, docs/records.md.  stable, unstable: P truth values, both False where
     it is not known.  special: located points.  began, ended: why the branch has its ends.
+    second, damping_ratio: P, of backbones the factor of the load and the damping ratio of the mode [-], NaN of others.
     """
 
     frequency: np.ndarray
@@ -47,6 +48,8 @@ class Branch:
     special: tuple[Special, ...] = ()
     began: str = ""
     ended: str = ""
+    second: np.ndarray = field(default_factory=lambda: np.array([]))
+    damping_ratio: np.ndarray = field(default_factory=lambda: np.array([]))
 
     @property
     def converged(self) -> np.ndarray:
@@ -68,7 +71,8 @@ class Branch:
                    status=np.array([point.get("status", "converged") for point in points], dtype=str),
                    stable=np.array([point.get("stable") is True for point in points], dtype=bool),
                    unstable=np.array([point.get("stable") is False for point in points], dtype=bool),
-                   special=tuple(special), began=branch.get("began", ""), ended=branch.get("ended", ""))
+                   special=tuple(special), began=branch.get("began", ""), ended=branch.get("ended", ""),
+                   **{key: np.array([point.get(key, np.nan) for point in points], dtype=float) for key in ("second", "damping_ratio")})
 
 
 def table(points: Sequence[Mapping], key: str, columns: int) -> np.ndarray:
@@ -79,7 +83,7 @@ def table(points: Sequence[Mapping], key: str, columns: int) -> np.ndarray:
 class Response:
     """A frequency response by one method.
 
-    branches: of `Scene.branches` those found, of `Scene.sweep` one for each way that the frequency went.
+    branches: of `Scene.branches` and `Scene.backbone` those found, of `Scene.sweep` one for each way that the frequency went.
     points: of each branch, as the program gives them, messages included.
     notes: what was met and not followed.
     other_law: the law that the method represents where it is not the scene's, as "e = 1"; else empty.

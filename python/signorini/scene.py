@@ -164,6 +164,19 @@ class Scene:
             answer = json.loads(program.run(words, (program.DONE, program.FAILED, program.INCOMPLETE)))
         return Response.from_branches(self, method_name(method), answer)
 
+    def backbone(self, start: float | None = None, stop: float | None = None, *, load: float = 1.0, timeout: float = 60.0,
+                 hz: bool = False) -> Response:
+        """Modes of a damped structure over the amplitude: its phase resonances, from a hundredth of the load up to `load` times it.
+
+        start, stop: frequencies looked between [rad/s], with hz=True [Hz]; those of free motions where none are given.
+        Branches have a curve for each mode and sequence of events, with `second`, the factor of the load, and `damping_ratio`.
+        timeout: processor time of all of them [s]; what a limit cuts says so in `ended`.  Where there is none, `notes` says why.
+        """
+        words = ["sweep", self._source, "--backbone", "--second-to", repr(float(load)), "--total-time", str(timeout), "--format", "json"]
+        words += [word for flag, value in (("--from", start), ("--to", stop)) if value is not None for word in (flag, repr(float(value)))]
+        answer = json.loads(program.run([*words, *(["--hz"] if hz else [])], (program.DONE, program.FAILED, program.INCOMPLETE)))
+        return Response.from_branches(self, "exact-orbit", {"branches": answer["curves"], "notes": [], "unfinished": answer["unfinished"]})
+
     def __repr__(self) -> str:
         return f"Scene({self._source!r})"
 

@@ -329,6 +329,21 @@ class Branches(unittest.TestCase):
             Scene.load("block-nine-contacts").branches(0.1, 0.12)
 
 
+class Backbones(unittest.TestCase):
+    def test_begin_at_the_linear_mode_and_end_at_the_whole_load(self):
+        free, pressing = Scene.load("sdof-penalty-soft").backbone().branches
+        self.assertEqual(free.second[0], 0.01)
+        np.testing.assert_allclose(free.frequency, 1.0, rtol=1e-11)
+        np.testing.assert_allclose(free.damping_ratio, 0.05, rtol=1e-11)
+        self.assertAlmostEqual(pressing.second[-1], 1.0, 12)
+        self.assertTrue((np.diff(pressing.frequency) > 0.0).all())  # a stop stiffens
+
+    def test_that_are_none_say_why(self):
+        response = Scene.load("sdof-two-harmonics").backbone(0.9, 1.1)
+        self.assertEqual(response.branches, ())
+        self.assertIn("the load has more than one harmonic", response.notes[0])
+
+
 class Versions(unittest.TestCase):
     def test_are_those_of_the_project(self):
         import re

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/commands/sweep/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/isolation/isolation.hpp"
 #include "harness/plan/deadline.hpp"
+#include "harness/plots/plot_file.hpp"
+#include "harness/plots/response_plot.hpp"
+#include "harness/progress.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
+#include "harness/sweep/isolated_branches.hpp"
+#include "harness/sweep/response_folder.hpp"
 #include "harness/text/json.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -19,34 +25,58 @@ namespace signorini {
 namespace {
 
 // Whether a limit ended a curve, and not the interval or the mathematics.
-bool is_cut(const BifurcationCurve& curve) {
+bool is_cut(const Branch& curve) {
   return curve.ended == "the time is up" || curve.ended.starts_with("limit of ");
 }
 
-// In a process of its own: what is printed of special points over the frequency and a second number.
-void send_special_points(const SweepArguments& arguments, const LineSender& send) {
-  using Json = nlohmann::ordered_json;
-  const auto refuse = [&](const std::exception& error) { send(json_line(Json{{"refused", error.what()}})); };
-  try {
-    const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
-    CurveLimits limits = arguments.branches;
-    limits.max_order = arguments.max_order.value_or(limits.max_order);
-    limits.deadline = Deadline::after(arguments.total_time);
-    const std::string& second = arguments.second.place;
-    const BifurcationCurves response =
-        bifurcation_response(find_scene(arguments.scene), arguments.range.from, arguments.range.to,
-                             arguments.second, arguments.follow, method, limits);
-    const bool json = arguments.format == "json" || arguments.format == "jsonl";
-    send(json_line(Json{{"text", json ? json_line(to_json(response, second)) + "\n"
-                                      : table_text(arguments, bifurcation_table(response, second))},
-                        {"unfinished", response.unfinished},
-                        {"curves", response.curves.size()},
-                        {"cut", std::ranges::count_if(response.curves, is_cut)}}));
-  } catch (const UsageError& error) {
-    refuse(error);
-  } catch (const SceneError& error) {
-    refuse(error);
+// Opens the folder of --out, if it is asked for.
+std::optional<ResponseFolder> folder_of(const SweepArguments& arguments, const Scene& scene) {
+  if (!arguments.out) return std::nullopt;
+  nlohmann::ordered_json question = question_of(arguments, scene);
+  question["follow"] = arguments.follow;
+  question["second"] = arguments.second.place;
+  question["second-from"] = arguments.second.from;
+  question["second-to"] = arguments.second.to;
+  return std::optional<ResponseFolder>(std::in_place, *arguments.out, question, arguments.words,
+                                       arguments.resume);
+}
+
+// What the folder has kept of the curves, or what the method makes of them now.
+MethodResponse kept_or_followed(const SweepArguments& arguments, const Scene& scene) {
+  const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
+  (void)has_curve(method);  // refuses options that are none
+  const SweepRange& range = arguments.range;
+  MethodResponse response{
+      .method = method.label(),
+      .asked = ParameterRange{.low = std::min(range.from, range.to), .high = std::max(range.from, range.to)}};
+  std::optional<ResponseFolder> folder = folder_of(arguments, scene);
+  const std::string key = response_key(method);
+  if (auto kept = folder ? folder->complete(response.method, key) : std::nullopt) {
+    response.diagram = std::move(kept->diagram);
+    return response;
   }
+  CurveLimits limits = arguments.branches;
+  limits.max_order = arguments.max_order.value_or(limits.max_order);
+  limits.deadline = Deadline::after(arguments.total_time);
+  if (folder) limits.take = [&](const Branch& curve) { folder->add(response, curve); };
+  const Waiting waiting("following curves of " + response.method);
+  IsolatedBranches found = isolated_branches(response.method, limits, [&](const CurveLimits& asked) {
+    return bifurcation_response(find_scene(arguments.scene), range.from, range.to, arguments.second,
+                                arguments.follow, method, asked);
+  });
+  response.diagram = std::move(found.diagram);
+  response.failure = std::move(found.failure);
+  if (folder && !interrupted() && response.failure.empty()) folder->finish(response, key);
+  return response;
+}
+
+void print(const SweepArguments& arguments, const BranchDiagram& curves) {
+  const std::string &kind = arguments.follow, &second = arguments.second.place;
+  if (arguments.format == "json" || arguments.format == "jsonl")
+    fmt::print("{}\n", json_line(bifurcation_json(curves, kind, second)));
+  else
+    fmt::print("{}", table_text(arguments, bifurcation_table(curves, kind, second)));
+  if (!curves.unfinished.empty()) fmt::print(stderr, "{}\n", curves.unfinished);
 }
 
 }  // namespace
@@ -57,24 +87,22 @@ int sweep_special_points(const SweepArguments& arguments) {
                                  arguments.follow));
   if (arguments.second.place.empty())
     throw UsageError("follow needs --second, --second-from and --second-to");
-  if (!arguments.range.at.empty() || !arguments.plot.empty() || arguments.out)
-    throw UsageError("--at, --plot and --out (must be left out with --follow)");
-  const ChildEnd end = run_isolated([&](const LineSender& send) { send_special_points(arguments, send); },
-                                    {.stage_seconds = {4.0 * enforced(arguments.total_time) + kQuickSeconds},
-                                     .memory_mb = Limits{}.memory_mb});
-  if (end.lines.empty()) {
-    fmt::print(stderr, "{}: {}\n", arguments.methods, describe(end));
-    return interrupted() ? kInterrupted : kUnexpectedFailure;
-  }
-  const nlohmann::ordered_json found = parse_json(end.lines.front());
-  if (found.contains("refused")) throw UsageError(found.at("refused").get<std::string>());
-  fmt::print("{}", found.at("text").get<std::string>());
-  if (const auto unfinished = found.at("unfinished").get<std::string>(); !unfinished.empty())
-    fmt::print(stderr, "{}\n", unfinished);
-  if (found.at("curves") == 0) return kUnexpectedFailure;
-  if (found.at("cut") == 0) return kDone;
+  if (!arguments.range.at.empty() || arguments.bifurcation)
+    throw UsageError("--at and --bifurcation (must be left out with --follow)");
+  const Scene scene = read_scene(find_scene(arguments.scene));
+  watch_interrupts();
+  const MethodResponse response = kept_or_followed(arguments, scene);
+  const BranchDiagram& curves = response.diagram;
+  print(arguments, curves);
+  if (!arguments.plot.empty())
+    write_plot(arguments.plot,
+               response_plot(scene.problem.name, {response}, ResponseOrdinate::amplitude, arguments.column));
+  if (interrupted()) return kInterrupted;
+  if (curves.branches.empty() || !response.failure.empty()) return kUnexpectedFailure;
+  const auto cut = std::ranges::count_if(curves.branches, is_cut);
+  if (cut == 0) return kDone;
   fmt::print(stderr, "INCOMPLETE: {} of {} curves end at a limit (--total-time and --max-points go on)\n",
-             found.at("cut").get<long>(), found.at("curves").get<long>());
+             cut, curves.branches.size());
   return kIncomplete;
 }
 

@@ -103,15 +103,13 @@ ChangeOfSequence past_end(const ExtendedEquations& equations, const OrbitGuard& 
 class BifurcationCurveTracer {
  public:
   BifurcationCurveTracer(OrbitPlane& plane, SpecialKind kind, const CurveLimits& limits)
-      : plane_(plane), limits_(limits) {
-    result_.kind = kind;
-  }
+      : plane_(plane), limits_(limits), kind_(kind) {}
 
-  BifurcationCurve run(const SpecialPoint& start, const OrbitGuess& orbit) {
+  Branch run(const SpecialPoint& start, const OrbitGuess& orbit) {
     begin(start, orbit);
     return followed();
   }
-  BifurcationCurve run(const Onward& onward) {
+  Branch run(const Onward& onward) {
     begin(onward);
     return followed();
   }
@@ -120,7 +118,7 @@ class BifurcationCurveTracer {
   [[nodiscard]] const std::optional<Onward>& onward() const { return onward_; }
 
  private:
-  BifurcationCurve followed() {
+  Branch followed() {
     while (!done_) advance();
     return std::move(result_);
   }
@@ -166,12 +164,11 @@ class BifurcationCurveTracer {
     ExtendedEquations equations(*family, orbit);
     if (!equations.evaluate(orbit.x)) return finish("the flow is not finite");
     std::optional<OrbitGuard> guard;
-    if (result_.kind == SpecialKind::grazing || result_.kind == SpecialKind::contact_change) {
+    if (kind_ == SpecialKind::grazing || kind_ == SpecialKind::contact_change) {
       guard = vanishing_guard(equations);
       if (!guard) return finish("no test function vanishes there");
     }
-    special_ =
-        std::make_unique<SpecialEquations>(plane_, orbit, result_.kind, guard, first_tangent(equations));
+    special_ = std::make_unique<SpecialEquations>(plane_, orbit, kind_, guard, first_tangent(equations));
     x_.resize(orbit.x.size() + 1);
     x_ << orbit.x, q;
     if (!special_->evaluate(x_) || !special_->rescale())
@@ -179,8 +176,8 @@ class BifurcationCurveTracer {
   }
 
   void append() {
-    result_.points.push_back(point_of(result_.kind, *special_));
-    result_.second.push_back(special_->second());
+    result_.points.push_back(point_of(kind_, *special_));
+    result_.points.back().second = special_->second();
   }
 
   [[nodiscard]] CurveStep whole_step() const { return {.x = x_, .tangent = tangent_, .length = step_}; }
@@ -239,7 +236,7 @@ class BifurcationCurveTracer {
     append();
     const ExtendedEquations& orbits = special_->orbits();
     finish(describe(guard, orbits.orbit(), orbits.model().dynamics));
-    if (result_.kind != SpecialKind::phase_resonance) return;
+    if (kind_ != SpecialKind::phase_resonance) return;
     const double second = special_->x()[special_->size()];
     ChangeOfSequence beyond = past_end(orbits, guard);
     if (beyond.start)
@@ -273,23 +270,24 @@ class BifurcationCurveTracer {
 
   OrbitPlane& plane_;
   const CurveLimits& limits_;
+  SpecialKind kind_;
   double step_ = 0.01;  // the first one
   bool done_ = false, may_turn_ = false;
   std::optional<Onward> onward_;
   std::unique_ptr<SpecialEquations> special_;
   Eigen::VectorXd x_, tangent_;
-  BifurcationCurve result_;
+  Branch result_;
 };
 
 // The curve through a special point, and those that go on where its sequence of events changes.
-std::vector<BifurcationCurve> trace_from(OrbitPlane& plane, const SpecialPoint& start,
-                                         const OrbitGuess& orbit, const CurveLimits& limits) {
+std::vector<Branch> trace_from(OrbitPlane& plane, const SpecialPoint& start, const OrbitGuess& orbit,
+                               const CurveLimits& limits) {
   BifurcationCurveTracer first(plane, start.kind, limits);
-  std::vector<BifurcationCurve> curves{first.run(start, orbit)};
+  std::vector<Branch> curves{first.run(start, orbit)};
   std::optional<Onward> onward = first.onward();
   while (onward && static_cast<int>(curves.size()) < limits.max_branches) {
     BifurcationCurveTracer next(plane, start.kind, limits);
-    BifurcationCurve curve = next.run(*onward);
+    Branch curve = next.run(*onward);
     onward = next.onward();
     if (curve.points.size() > 1)
       curves.push_back(std::move(curve));
@@ -321,8 +319,8 @@ std::string why_none(const ScenePlane& plane, SpecialKind kind) {
   return obstacle.empty() ? reason + " between these frequencies" : reason + ": " + obstacle;
 }
 
-std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const OrbitDiagram& diagram,
-                                                 SpecialKind kind, const CurveLimits& limits) {
+std::vector<Branch> bifurcation_curves(const ScenePlane& plane, const OrbitDiagram& diagram, SpecialKind kind,
+                                       const CurveLimits& limits) {
   if (!has_curve(kind)) throw std::invalid_argument("branch points have no curve in two parameters");
   struct Begin {
     const SpecialPoint* special;
@@ -338,7 +336,7 @@ std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const 
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Begin& a, const Begin& b) { return a.rank() < b.rank(); });
   OrbitPlane orbits(plane);
-  std::vector<BifurcationCurve> curves;
+  std::vector<Branch> curves;
   std::vector<SolutionPoint> known;
   constexpr double kAtEnd = 1e-9;
   for (const Begin& start : starts) {
@@ -347,9 +345,12 @@ std::vector<BifurcationCurve> bifurcation_curves(const ScenePlane& plane, const 
                     [&](const SolutionPoint& other) { return one_motion(point, other); }))
       continue;
     known.push_back(point);
-    std::ranges::move(trace_from(orbits, *start.special, *start.orbit, limits), std::back_inserter(curves));
-    const BifurcationCurve& curve = curves.back();
-    const bool returns = curve.points.size() > 1 && std::abs(curve.second.back() - plane.from) <
+    for (Branch& curve : trace_from(orbits, *start.special, *start.orbit, limits)) {
+      if (limits.take) limits.take(curve);
+      curves.push_back(std::move(curve));
+    }
+    const Branch& curve = curves.back();
+    const bool returns = curve.points.size() > 1 && std::abs(*curve.points.back().second - plane.from) <
                                                         kAtEnd * std::abs(plane.to - plane.from);
     if (returns) known.push_back(curve.points.back());
   }

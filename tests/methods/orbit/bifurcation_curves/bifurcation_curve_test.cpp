@@ -31,7 +31,7 @@ ScenePlane over_gap(double from, double to) {
           .to = to};
 }
 
-std::vector<BifurcationCurve> curves_of(const ScenePlane& plane, SpecialKind kind) {
+std::vector<Branch> curves_of(const ScenePlane& plane, SpecialKind kind) {
   OrbitFamily family(plane.at(plane.from));
   const OrbitDiagram diagram =
       trace_diagram(family, {contact_free_orbit(family, family.scene().to).value()}, {});
@@ -39,9 +39,9 @@ std::vector<BifurcationCurve> curves_of(const ScenePlane& plane, SpecialKind kin
 }
 
 // The nearest frequency at which a curve that began near `from` reaches the end of the second interval.
-double at_the_end(const std::vector<BifurcationCurve>& curves, double from, double expected) {
+double at_the_end(const std::vector<Branch>& curves, double from, double expected) {
   double best = 1e300;
-  for (const BifurcationCurve& curve : curves) {
+  for (const Branch& curve : curves) {
     if (std::abs(curve.points.front().frequency - from) > 1e-6) continue;
     EXPECT_NE(curve.ended.find("end of the interval"), std::string::npos) << curve.ended;
     if (std::abs(curve.points.back().frequency - expected) < std::abs(best - expected))
@@ -64,7 +64,7 @@ TEST(BifurcationCurves, JoinTheDoublingsOfTheOscillatorOverItsRestitution) {
   const auto curves = curves_of(over_restitution(1.0, 0.5), SpecialKind::period_doubling);
   EXPECT_NEAR(at_the_end(curves, 2.2647019400124, 2.2646455610069), 2.2646455610069, 1e-9);
   EXPECT_NEAR(at_the_end(curves, 2.9125835786788, 2.8104370993468), 2.8104370993468, 1e-9);
-  for (const BifurcationCurve& curve : curves) {
+  for (const Branch& curve : curves) {
     for (const SolutionPoint& point : curve.points)
       EXPECT_LT((point.multipliers.array() + 1.0).abs().minCoeff(), 1e-4);
   }
@@ -75,16 +75,16 @@ TEST(BifurcationCurves, OfGrazingsAreTheLinearResponse) {
   const auto curves = curves_of(over_gap(0.2, 0.7), SpecialKind::grazing);
   ASSERT_FALSE(curves.empty());
   bool free = false;
-  for (const BifurcationCurve& curve : curves) {
+  for (const Branch& curve : curves) {
     if (curve.sequence != "order 1, no events") continue;
     free = true;
     ASSERT_GT(curve.points.size(), 3U);
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const double w = curve.points[i].frequency;
       const double amplitude = std::abs(1.0 / std::complex<double>(1.0 - w * w, 0.1 * w));
-      EXPECT_NEAR(amplitude, curve.second[i], 1e-11) << w;
+      EXPECT_NEAR(amplitude, *curve.points[i].second, 1e-11) << w;
     }
-    EXPECT_NEAR(curve.second.back(), 0.7, 1e-12);
+    EXPECT_NEAR(*curve.points.back().second, 0.7, 1e-12);
     EXPECT_EQ(curve.ended, "end of the interval of contact[0].gap");
   }
   EXPECT_TRUE(free);
@@ -96,7 +96,7 @@ TEST(BifurcationCurves, AreFollowedInSmallStepsAndOnce) {
   for (std::size_t a = 0; a < curves.size(); ++a) {
     for (std::size_t i = 1; i < curves[a].points.size(); ++i) {
       EXPECT_LT(std::abs(curves[a].points[i].frequency - curves[a].points[i - 1].frequency), 0.2);
-      EXPECT_LT(std::abs(curves[a].second[i] - curves[a].second[i - 1]), 0.01);
+      EXPECT_LT(std::abs(*curves[a].points[i].second - *curves[a].points[i - 1].second), 0.01);
     }
     for (std::size_t b = 0; b < a; ++b) {
       const SolutionPoint &p = curves[a].points.front(), &q = curves[b].points.front();

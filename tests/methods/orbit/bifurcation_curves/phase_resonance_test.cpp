@@ -40,7 +40,7 @@ ScenePlane over_load(const std::function<Problem(double)>& scene, double from, d
           .to = to};
 }
 
-std::vector<BifurcationCurve> backbone(const ScenePlane& plane) {
+std::vector<Branch> backbone(const ScenePlane& plane) {
   OrbitFamily family(plane.at(plane.from));
   const OrbitDiagram diagram =
       trace_diagram(family, {contact_free_orbit(family, family.scene().to).value()}, {.max_order = 1});
@@ -93,7 +93,7 @@ TEST(PhaseResonance, OfOneMassIsItsModeWithItsDamping) {
   EXPECT_EQ(curves[0].ended, "end of the interval of load");
   for (std::size_t i = 0; i < curves[0].points.size(); ++i) {
     EXPECT_NEAR(curves[0].points[i].frequency, 1.0, 1e-12);
-    EXPECT_NEAR(curves[0].points[i].amplitude[0], 10.0 * curves[0].second[i], 1e-9);
+    EXPECT_NEAR(curves[0].points[i].amplitude[0], 10.0 * *curves[0].points[i].second, 1e-9);
     EXPECT_EQ(curves[0].points[i].stability, OrbitStability::stable);
   }
 }
@@ -130,16 +130,16 @@ TEST(PhaseResonance, OfAMassBeforeASpringIsThatOfItsClosedForm) {
   const auto curves =
       backbone(over_load([](double load) { return before_spring(lightly_damped(load)); }, 0.005, 0.1));
   ASSERT_EQ(curves.size(), 2U);
-  EXPECT_NEAR(curves[0].second.back(), 0.02, 1e-11);  // c w g
+  EXPECT_NEAR(*curves[0].points.back().second, 0.02, 1e-11);  // c w g
   EXPECT_EQ(curves[0].ended, "contact 0 begins to press on its stop");
-  EXPECT_NEAR(curves[1].second.front(), 0.02, 1e-11);
-  EXPECT_NEAR(curves[1].second.back(), 0.1, 1e-13);
+  EXPECT_NEAR(*curves[1].points.front().second, 0.02, 1e-11);
+  EXPECT_NEAR(*curves[1].points.back().second, 0.1, 1e-13);
   EXPECT_EQ(curves[1].ended, "end of the interval of load");
   EXPECT_GT(curves[1].points.size(), 10U);
   for (std::size_t i = 0; i < curves[1].points.size(); ++i) {
     const SolutionPoint& point = curves[1].points[i];
-    if (curves[1].second[i] < 0.0201) continue;  // Newton's method of the oracle needs a contact
-    const test::BilinearOrbit orbit = forced_orbit(point, curves[1].second[i]);
+    if (*curves[1].points[i].second < 0.0201) continue;  // Newton's method of the oracle needs a contact
+    const test::BilinearOrbit orbit = forced_orbit(point, *curves[1].points[i].second);
     EXPECT_LT(std::abs(std::arg(orbit.fourier(1)) + 0.5 * kPi), 1e-8) << point.frequency;
     EXPECT_NEAR(orbit.penetration(), point.x_max[0] - 1.0, 1e-9);
     EXPECT_NEAR(damping_ratio(orbit, orbit.period(), 0.0) / point.damping_ratio.value(), 1.0, 1e-6);
@@ -151,7 +151,7 @@ TEST(PhaseResonance, LiesOnTheModeWithoutDamping) {
   const auto farthest = [](double damping) {
     const auto scene = [damping](double load) { return before_spring(lightly_damped(load, 1.0, damping)); };
     double most = 0.0;
-    for (const BifurcationCurve& curve : backbone(over_load(scene, 0.5 * damping, 5.0 * damping))) {
+    for (const Branch& curve : backbone(over_load(scene, 0.5 * damping, 5.0 * damping))) {
       for (const SolutionPoint& point : curve.points) {
         const double amplitude = 2.0 * point.amplitude[0] - point.x_max[0];
         const double v = std::sqrt(std::max(0.0, amplitude * amplitude - 1.0));
@@ -172,12 +172,12 @@ TEST(PhaseResonance, OfAMassBeforeARigidStopIsThatOfItsClosedForm) {
   const auto curves =
       backbone(over_load([](double load) { return to_problem(lightly_damped(load, 0.95)); }, 0.005, 0.15));
   ASSERT_EQ(curves.size(), 2U);
-  EXPECT_NEAR(curves[0].second.back(), 0.02, 1e-11);
+  EXPECT_NEAR(*curves[0].points.back().second, 0.02, 1e-11);
   EXPECT_GT(curves[1].points.size(), 10U);
-  EXPECT_NEAR(curves[1].second.back(), 0.15, 1e-13);
+  EXPECT_NEAR(*curves[1].points.back().second, 0.15, 1e-13);
   for (std::size_t i = 1; i < curves[1].points.size(); ++i) {
     const SolutionPoint& point = curves[1].points[i];
-    ImpactOscillator oscillator = lightly_damped(curves[1].second[i], 0.95);
+    ImpactOscillator oscillator = lightly_damped(*curves[1].points[i].second, 0.95);
     oscillator.frequency = point.frequency;
     double nearest = 1e300, ratio = 0.0;
     for (const test::SingleImpactOrbit& orbit : single_impact_orbits(oscillator)) {
