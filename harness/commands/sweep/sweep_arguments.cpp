@@ -190,6 +190,8 @@ void complete_free_motions(SweepArguments& arguments) {
   if (highest_load_harmonic(problem) > 0 || !continuation_obstacle(problem).empty()) return;
   if (arguments.methods.empty()) arguments.methods = exact_method().name;
   const auto band = no_interval ? free_motion_band(problem) : std::nullopt;
+  if (no_interval && !band)
+    throw UsageError("--from and --to are required without contacts or springs that hold the scene");
   if (!band) return;
   arguments.from = band->low;
   arguments.to = band->high;

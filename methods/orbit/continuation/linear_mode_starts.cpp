@@ -27,6 +27,7 @@ std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbi
 namespace {
 
 constexpr double kReachesAlike = 1e-9;  // of the amplitude: contacts that a symmetry makes touch together
+constexpr double kLoose = 1e-12;        // of the largest omega^2: nothing holds the mode
 
 // The state of rest, and how far each contact is from a change there.
 struct RestBesideStops {
@@ -45,7 +46,6 @@ SymmetricEigen modes_where(const ContactDynamics& dynamics, const std::vector<bo
 
 // The rest of one set of closed contacts.
 RestBesideStops rest_with(OrbitModel& model, const std::vector<bool>& closed) {
-  constexpr double kLoose = 1e-12;  // of the largest omega^2: nothing holds the mode
   const ContactDynamics& dynamics = model.dynamics;
   const Eigen::Index n = dynamics.size(), contacts = dynamics.contact_count();
   RestBesideStops rest{.closed = closed, .u = Eigen::VectorXd::Zero(n)};
@@ -74,6 +74,9 @@ RestBesideStops rest_with(OrbitModel& model, const std::vector<bool>& closed) {
 RestBesideStops rest_of(OrbitModel& model) {
   const auto contacts = static_cast<std::size_t>(model.dynamics.contact_count());
   std::vector<bool> closed(contacts, false);
+  // What no spring of its own holds rests on its stops, as under its weight.
+  if (!rest_with(model, closed).obstacle.empty())
+    for (std::size_t j = 0; j < contacts; ++j) closed[j] = !model.dynamics.rigid(static_cast<int>(j));
   for (std::size_t tries = 0; tries <= 2 * contacts + 2; ++tries) {
     RestBesideStops rest = rest_with(model, closed);
     if (!rest.obstacle.empty() || (rest.room.array() >= 0.0).all()) return rest;
@@ -178,6 +181,7 @@ LinearModeStarts linear_mode_starts(OrbitFamily& family) {
 std::optional<ParameterRange> free_motion_band(const Problem& problem) {
   constexpr Eigen::Index kModes = 3;
   constexpr double kBelow = 0.95, kBeside = 1.05, kBeyond = 2.0;
+  constexpr double kInFlight = 0.1;  // of the first frequency at rest: most of the period is free flight
   if (problem.contacts.empty()) return std::nullopt;
   OrbitModel model(problem);
   const ContactDynamics& dynamics = model.dynamics;
@@ -188,8 +192,11 @@ std::optional<ParameterRange> free_motion_band(const Problem& problem) {
   if (!dynamics.rigid()) high = std::min(high, frequencies_where(dynamics, true)[last]);
   const RestBesideStops rest = rest_of(model);
   if (rest.obstacle.empty()) high = std::max(high, kBeside * std::sqrt(rest.modes.values[last]));
-  if (!(open[0] > 0.0 && high > kBelow * open[0])) return std::nullopt;
-  return ParameterRange{.low = kBelow * open[0], .high = high};
+  double low = kBelow * open[0];
+  if (!(low * low > kLoose * high * high))
+    low = rest.obstacle.empty() ? kInFlight * std::sqrt(rest.modes.values[0]) : 0.0;
+  if (!(low > 0.0 && high > low)) return std::nullopt;
+  return ParameterRange{.low = low, .high = high};
 }
 
 }  // namespace signorini

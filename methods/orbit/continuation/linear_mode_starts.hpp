@@ -43,14 +43,16 @@ struct LinearModeStarts {
 /// they are.
 ///
 /// \param family  not driven
-/// \return none where no spring holds the structure in place, a rigid stop is pressed at the equilibrium, or
-///         a stop is reached at rest (a gap of 0: the frequency does not depend on the energy then)
+/// \return none where no spring holds the structure at rest, its own or that of a stop, a rigid stop is
+///         pressed at the equilibrium, or a stop is reached at rest (a gap of 0: the frequency does not depend
+///         on the energy then)
 LinearModeStarts linear_mode_starts(OrbitFamily& family);
 
 /// From below the lowest frequency of the free motions of a scene without load to above those of its first
 /// three modes: twice that of the third with all contacts open, or with all held where that is less, and in
-/// any case above that about the state of rest [rad/s].
-/// Empty where there is nothing that moves, or a spring is missing.
+/// any case above that about the state of rest [rad/s]. Of what rests on the springs of its stops alone, from
+/// a tenth of the first frequency there: in flight nothing holds it.
+/// Empty where there is nothing that moves, or no spring holds it at rest.
 std::optional<ParameterRange> free_motion_band(const Problem& problem);
 
 }  // namespace signorini

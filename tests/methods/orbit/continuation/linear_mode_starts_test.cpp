@@ -118,6 +118,28 @@ TEST(LinearModeStarts, LeadToTheModesOfAPressedSpring) {
   }
 }
 
+// A ball on a spring under its weight: free flight over 2 v / g, contact over (pi + 2 phi) / w, v the speed
+// between both, tan phi = g / (w v).
+TEST(LinearModeStarts, LeadToTheFlightsOfABallOnASpring) {
+  constexpr double kc = 4.0, w = 2.0, g = 9.81;
+  Problem problem = free_mass(0.0, 0.0, Penalty{{kc}});
+  problem.force = {{.dof = 0, .harmonic = 0, .cos = g}};
+  const auto band = free_motion_band(problem);
+  ASSERT_TRUE(band);
+  EXPECT_NEAR(band->low, 0.1 * w, 1e-12);
+  const OrbitDiagram diagram = modes_of(problem, band->low, band->high);
+  ASSERT_EQ(diagram.branches.size(), 1U);
+  const OrbitBranch& branch = diagram.branches[0];
+  EXPECT_NEAR(branch.points.front().frequency, w, 1e-12);
+  EXPECT_EQ(branch.ended, kEndOfInterval);
+  for (const SolutionPoint& point : branch.points) {
+    const double v =
+        std::sqrt(2.0 * std::max(0.0, *point.energy));  // at the stop the weight has done no work
+    if (v < 1e-3 * g / w) continue;
+    EXPECT_NEAR(2.0 * kPi / (2.0 * v / g + (kPi + 2.0 * std::atan2(g / w, v)) / w), point.frequency, 1e-10);
+  }
+}
+
 // code_aster V5.01.123, mode 2: shooting by another program, to 1e-11.
 TEST(LinearModeStarts, LeadToTheModesBetweenTwoSprings) {
   const double first = 2.0 * kPi * 0.25790528513;
