@@ -10,15 +10,13 @@ ClosedFormStretch::ClosedFormStretch(LinearFlows& flows, double tolerance)
 
 void ClosedFormStretch::start(const ContactMode&, const FlowState& flow, double end, bool dense) {
   constexpr double kSteps = 8.0, kDenseSteps = 16.0;  // per fastest period
-  const FlowStructure& structure = flows_.dynamics().structure();
   begin_ = end_ = flow.time;
   stop_ = end;
   arc_ = flows_.of(flow.closed).arc();
   arc_->start(flow.time, flow.state);
   angle_ = kTwoPi / (dense ? kDenseSteps : kSteps);
   // Interpolation between nodes meets the derivatives of a mode up to the highest that is kept.
-  const double longest = angle_ / structure.frequency;
-  terms_ = dense ? arc_->fading_rates(noise(), longest, kNodeOrder) : arc_->fading_rates(noise());
+  terms_ = dense ? arc_->fading_rates(noise(), angle_, kNodeOrder) : arc_->fading_rates(noise());
 }
 
 void ClosedFormStretch::step() {

@@ -40,10 +40,11 @@ class LinearArc {
   virtual void start(double time, const State& state) = 0;
   /// The terms of the motion, fastest first. A mode matters until its share in every guard (gap of an open
   /// contact over X, force of a closed one over its scale; a bound of what it is in those of OpenContacts)
-  /// has fallen below `floor`; with `step` and `order`, so has its share in step^k times the k-th
-  /// derivatives, k <= order. The load is one term, that of its slowest harmonic down to which the shares sum
-  /// to `floor`, at least omega.
-  [[nodiscard]] virtual std::vector<FadingRate> fading_rates(double floor, double step = 0.0,
+  /// has fallen below `floor`; with `turn` and `order`, until its share and those of all faster ones in
+  /// step^k times the k-th derivatives have, k <= order, by the step in which the next slower one turns by so
+  /// much [rad]. The load is one term, that of its slowest harmonic down to which the shares sum to `floor`,
+  /// at least omega.
+  [[nodiscard]] virtual std::vector<FadingRate> fading_rates(double floor, double turn = 0.0,
                                                              int order = 0) const = 0;
   /// (u, xi), Np, and v, Nd, at a time.
   virtual void state(double time, State& state) const = 0;

@@ -28,7 +28,7 @@ class ModalFlow::Arc final : public LinearArc {
   }
 
   void start(double time, const State& state) override;
-  [[nodiscard]] std::vector<FadingRate> fading_rates(double floor, double step, int order) const override;
+  [[nodiscard]] std::vector<FadingRate> fading_rates(double floor, double turn, int order) const override;
   void state(double time, State& state) const override {
     state.u.resize(flow_.positions());
     state.v.resize(flow_.size());
@@ -52,7 +52,7 @@ class ModalFlow::Arc final : public LinearArc {
   [[nodiscard]] double output(Eigen::Index row, double time, int order) const override;
   [[nodiscard]] double curvature_bound(Eigen::Index row, double time) const override;
   void differentiate(double time, int order, Eigen::Ref<Eigen::VectorXd> derivative) const;
-  [[nodiscard]] double fastest_wave(double floor, double step, int order) const;
+  [[nodiscard]] double fastest_wave(double floor, double turn, int order) const;
   [[nodiscard]] double largest_share(const OutputRows& outputs, Eigen::Index term, Complex amplitude,
                                      const Eigen::Ref<const Eigen::VectorXcd>& shape, double direct) const;
   [[nodiscard]] double rate(Eigen::Index h) const { return rates_[static_cast<std::size_t>(h)]; }
@@ -110,36 +110,53 @@ void ModalFlow::Arc::start(double time, const State& state) {
   real_.resize(0, 0);
 }
 
-std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double step, int order) const {
-  std::vector<FadingRate> terms;
+std::vector<FadingRate> ModalFlow::Arc::fading_rates(double floor, double turn, int order) const {
+  struct Mode {
+    double rate, decay;
+    double excess, turned;  // logarithms: of the share at the beginning over `floor`, of turn times the rate
+  };
+  std::vector<Mode> modes;
   for (Eigen::Index k = 0; k < amplitude_.size(); ++k) {
-    double share = largest_share(contribution_, k, flow_.weight()[k] * amplitude_[k],
-                                 flow_.basis_->shapes.col(k).head(flow_.size()), 0.0);
+    const double share = largest_share(contribution_, k, flow_.weight()[k] * amplitude_[k],
+                                       flow_.basis_->shapes.col(k).head(flow_.size()), 0.0);
     const Complex mu = flow_.mu()[k];
-    share *= std::pow(std::max(1.0, std::abs(mu) * step), order);
-    const bool fades = mu.real() < 0.0;
-    if (fades && share <= floor) continue;
-    // share e^{Re mu (t - begin)} = floor
-    terms.push_back(
-        {.rate = std::abs(mu), .until = fades ? begin_ + std::log(share / floor) / -mu.real() : kInfinity});
+    modes.push_back({.rate = std::abs(mu),
+                     .decay = std::max(0.0, -mu.real()),
+                     .excess = std::log(share / floor),
+                     .turned = order > 0 ? std::log(turn * std::abs(mu)) : 0.0});
   }
-  terms.push_back({.rate = fastest_wave(floor, step, order), .until = kInfinity});
-  std::ranges::sort(terms, std::greater(), &FadingRate::rate);
+  std::ranges::sort(modes, std::greater(), &Mode::rate);
+  const double wave = fastest_wave(floor, turn, order);
+  std::vector<FadingRate> terms;
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    // Once this one no longer matters, the next slower one makes the step for all faster ones.
+    const double next = std::log(std::max(wave, k + 1 < modes.size() ? modes[k + 1].rate : 0.0));
+    double until = -kInfinity;
+    for (std::size_t j = order > 0 ? 0 : k; j <= k; ++j) {
+      const double excess = modes[j].excess + order * std::max(0.0, modes[j].turned - next);
+      until = std::max(until, modes[j].decay > 0.0 ? begin_ + excess / modes[j].decay : kInfinity);
+    }
+    if (until > begin_) terms.push_back({.rate = modes[k].rate, .until = until});
+  }
+  terms.push_back({.rate = wave, .until = kInfinity});
+  std::ranges::stable_sort(terms, std::greater(), &FadingRate::rate);
   return terms;
 }
 
 // The largest rate of a harmonic of the load that matters together with all faster ones, at least omega. Of
 // displacements that are added there are many harmonics, the last ones tiny.
-double ModalFlow::Arc::fastest_wave(double floor, double step, int order) const {
+double ModalFlow::Arc::fastest_wave(double floor, double turn, int order) const {
   const Eigen::MatrixXcd& open_waves = equations_.structure().open_waves;
   const double least = equations_.structure().frequency;
-  double sum = 0.0;
+  double sum = 0.0, turning = 0.0;  // of all faster ones; turned by a rate of 1
   for (Eigen::Index h = wave_.size() - 1; h >= 0 && rate(h) > least; --h) {
     const double direct = open_waves.size() > 0 ? open_waves.col(h).lpNorm<Eigen::Infinity>() : 0.0;
     const double share =
         largest_share(flow_.row_of_harmonic_, h, 1.0, flow_.forced_.col(h).head(flow_.size()), direct);
-    sum += share * std::pow(std::max(1.0, rate(h) * step), order);
-    if (sum > floor) return rate(h);
+    sum += share;
+    if (order > 0) turning += share * std::pow(turn * rate(h), order);
+    const double slower = h > 0 ? std::max(rate(h - 1), least) : least;
+    if (sum + turning / std::pow(slower, order) > floor) return rate(h);
   }
   return least;
 }

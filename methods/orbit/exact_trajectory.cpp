@@ -71,7 +71,7 @@ double ExactTrajectory::push(int contact, double begin, double end) const {
     double middle = ends[i - 1] + 0.5 * length;  // within the arc, whatever rounding does to its ends
     const LinearArc& arc = arc_at(middle);
     const double start = middle - 0.5 * length;
-    const double rate = fastest_left(arc.fading_rates(kUnseen, length, kDerivatives), start);
+    const double rate = fastest_left(arc.fading_rates(kUnseen, kTurn, kDerivatives), start);
     const int pieces = std::clamp(static_cast<int>(std::ceil(rate * length / kTurn)), 1, kMostPieces);
     const auto derivatives = [&](int piece) {
       Derivatives values{};

@@ -223,8 +223,9 @@ TEST(LinearArc, ModesBoundTheStepsUntilTheyFade) {
   EXPECT_NEAR(terms[0].until, std::log(share / floor) / 0.1, 1e-3);
   EXPECT_EQ(fastest_left(terms, 0.99 * terms[0].until), terms[0].rate);
   EXPECT_EQ(fastest_left(terms, 1.01 * terms[0].until), one.frequency);
-  // The fourth derivative, per radian of a step of 0.5 s, is 10^4 times as large: it is seen for longer.
-  EXPECT_NEAR(arc.fading_rates(floor, 0.5, 4).front().until, std::log(1e4 * share / floor) / 0.1, 1e-3);
+  // In the step in which the load, the next slower term, turns by 0.75 the mode turns by 10: its share in the
+  // fourth derivative is 10^4 times as large, and seen for longer.
+  EXPECT_NEAR(arc.fading_rates(floor, 0.75, 4).front().until, std::log(1e4 * share / floor) / 0.1, 1e-3);
   // Already faded: it bounds no step at all.
   EXPECT_EQ(arc.fading_rates(1e-2).size(), 1U);
 }
