@@ -116,10 +116,11 @@ Eigen::VectorXcd open_ends(const ExtendedEquations& equations, double w) {
   const Eigen::VectorXd du = units.displacement * equations.residual().head(structure.size());
   const Eigen::VectorXd dv =
       units.velocity * equations.residual().segment(structure.positions(), structure.size());
+  const Eigen::VectorXd impulse = structure.mass * dv, moved = structure.mass * du,
+                        damped = structure.damping * du;
   Eigen::VectorXcd ends(structure.size());
-  ends.real() = structure.mass * dv;
-  ends.real() += structure.damping * du;
-  ends.imag() = w * (structure.mass * du);
+  ends.real() = impulse + damped;
+  ends.imag() = w * moved;
   const double begin = equations.time_of(0.0), end = equations.time_of(equations.orbit().end());
   return 2.0 / (end - begin) * std::polar(1.0, -w * begin) * ends;
 }
