@@ -153,6 +153,20 @@ def mass_before_stops(random, number):
     return scene_text(f"mass-{number:03}", system, frequency, terms, contacts, law)
 
 
+def chain_between_stops(random, number):
+    """One to four masses with light damping, two stops: on both sides of the last one or also of another, rigid or springs."""
+    size = random.choice([1, 1, 2, 2, 3, 4])
+    masses, springs = ([log_uniform(random, 0.5, 2.0) for _ in range(size)] for _ in range(2))
+    loss = log_uniform(random, 0.004, 0.06)
+    rows = "".join(f"\n{key} = {[round(value, 5) for value in values]}" for key, values in (
+        ("masses", masses), ("dampers", [loss * spring for spring in springs]), ("springs", springs)))
+    second = (size - 1, -1.0) if size == 1 or random.random() < 0.5 else (random.randrange(size - 1), random.choice([1.0, -1.0]))
+    gaps = [log_uniform(random, 0.05, 1.2) for _ in range(2)]
+    law = f"restitution = {random.uniform(0.6, 1.0):.4g}" if random.random() < 0.6 else f"penalty = {log_uniform(random, 20.0, 200.0):.4g}"
+    return scene_text(f"chain-{number:03}", f'kind = "chain"{rows}', random.uniform(0.4, 3.5), [(random.randrange(size), 1, 1.0, 0.0)],
+                      [(size - 1, 1.0, gaps[0]), (*second, gaps[1])], law)
+
+
 def chain_or_beam(random, number):
     """A chain of two to six masses, the last one massless now and then, or a cantilever of three to eight elements, with a
     stop at its end: rigid or a spring."""

@@ -71,8 +71,8 @@ def laws_of(law, contacts):
 class Flow:
     """State z: u, u', then cos and sin of each harmonic of the load. `law` as records have it."""
 
-    def __init__(self, scene, law, most_events=MOST_EVENTS):
-        self.most_events = most_events
+    def __init__(self, scene, law, most_events=MOST_EVENTS, steps=STEPS):
+        self.most_events, self.steps = most_events, steps
         M, self.D, self.K = matrices(scene["system"])
         laws = laws_of(law, len(scene["contact"]))
         if any("damping" in one or "massless" in one for one in laws) or np.linalg.cond(M) > 1e12:
@@ -118,7 +118,7 @@ class Flow:
             for k, harmonic in enumerate(self.harmonics):
                 at, w = 2 * n + 2 * k, harmonic * self.frequency
                 A[at, at + 1], A[at + 1, at] = -w, w
-            steps = [exponential(A * (self.period / STEPS / 2**k)) for k in range(HALVINGS + 1)]
+            steps = [exponential(A * (self.period / self.steps / 2**k)) for k in range(HALVINGS + 1)]
             self.modes[closed] = steps, pressed
         return self.modes[closed]
 
@@ -174,8 +174,8 @@ class Flow:
         events = 0
         closed = tuple(c for c, spring in enumerate(self.spring)
                        if spring is not None and self.normals[c] @ z[:self.size] > self.gaps[c])
-        for step in range(periods * STEPS):
-            events *= step % STEPS > 0
+        for step in range(periods * self.steps):
+            events *= step % self.steps > 0
             if keep is not None:
                 keep.append(self.normals @ z[:self.size])
             done = 0.0
@@ -201,7 +201,7 @@ class Flow:
                 if changed is not None:
                     z, closed = self.change(z, changed, closed)
                     if struck is not None:
-                        struck.append((changed, (step + done) / STEPS))
+                        struck.append((changed, (step + done) / self.steps))
         return z
 
     def orbit_from(self, u, v, time, periods):
