@@ -171,8 +171,8 @@ void add_solve_command(const Command& program, int& exit_code) {
   command
       .option(
           "--certificate", arguments->certificate,
-          "processor time of the search for an exact motion near the result [s]; if it is not given a second "
-          "for each coordinate of the scene, at least 10 and at most 120")
+          "processor time of the search for an exact motion near the result [s], 0 for none; if it is not "
+          "given a second for each coordinate of the scene, at least 10 and at most 120")
       .range(0.0, 86400.0);
   command
       .option(

@@ -45,14 +45,25 @@ double sine_over_n3(double angle) {
 CoordinateMotion::CoordinateMotion(const Problem& problem, const Trajectory& answer, const Motion& motion,
                                    std::span<const int> dofs)
     : base_frequency_(kTwoPi / motion.period()) {
-  exact_ = ExactMotion::of(problem, answer);
-  if (exact_ && problem.size() <= kMostEvaluated && exact_->knows(dofs)) {
-    dofs_.assign(dofs.begin(), dofs.end());
-    u_ = Eigen::MatrixXcd::Zero(1, std::ssize(dofs_));
-    add_frame(problem, motion.order, dofs);
-    return;
+  if (problem.size() <= kMostEvaluated) exact_ = ExactMotion::of(problem, answer);
+  for (std::size_t i = 0; exact_ && i < dofs.size(); ++i) {
+    if (!exact_->knows(dofs[i])) continue;
+    dofs_.push_back(dofs[i]);
+    columns_.push_back(static_cast<Eigen::Index>(i));
   }
-  exact_.reset();
+  if (dofs_.size() == dofs.size())
+    u_ = Eigen::MatrixXcd::Zero(1, std::ssize(dofs_));
+  else
+    respond(problem, answer, motion, dofs);
+  for (const Eigen::Index column : columns_) {
+    u_.col(column).setZero();
+    for (Kick& kick : kicks_) kick.jump[column] = kick.retardation[column] = 0.0;
+  }
+  add_frame(problem, motion.order, dofs);
+}
+
+void CoordinateMotion::respond(const Problem& problem, const Trajectory& answer, const Motion& motion,
+                               std::span<const int> dofs) {
   ForceSeries series = force_series(problem, motion, kMeasuredHarmonics * motion.order);
   const Eigen::Index harmonics = series.lambda.rows() - 1;
   // The coordinates are watched as contacts without a force.
@@ -75,7 +86,6 @@ CoordinateMotion::CoordinateMotion(const Problem& problem, const Trajectory& ans
   };
   if (motion.bandwidth) {
     u_ = response(series.lambda);
-    add_frame(problem, motion.order, dofs);
     return;
   }
   if (motion.force_coefficients.size() > 0) {
@@ -95,7 +105,6 @@ CoordinateMotion::CoordinateMotion(const Problem& problem, const Trajectory& ans
   take_out_kicks(problem, motion, dofs);
   *error_ += static_cast<double>(harmonics) *
              u_.bottomRows(std::min(kLastHarmonics, harmonics)).cwiseAbs().maxCoeff();
-  add_frame(problem, motion.order, dofs);
 }
 
 void CoordinateMotion::take_out_kicks(const Problem& problem, const Motion& motion,
@@ -149,7 +158,7 @@ void CoordinateMotion::add_kicks(Eigen::MatrixXd& values, const Add& add) const 
 
 Eigen::MatrixXd CoordinateMotion::displacement(int count) const {
   Eigen::MatrixXd values = sample_series(u_, count);
-  if (exact_) return values + exact_->coordinates(dofs_, count).u;
+  if (exact_) values(Eigen::all, columns_) += exact_->coordinates(dofs_, count).u;
   // 2 / (T w^2) = 1 / (pi w)
   const double second = -2.0 / (kTwoPi * base_frequency_), third = -second / base_frequency_;
   add_kicks(values, [&](const Kick& kick, double angle) -> Eigen::VectorXd {
@@ -163,7 +172,7 @@ Eigen::MatrixXd CoordinateMotion::velocity(int count) const {
   for (Eigen::Index n = 0; n < rate.rows(); ++n)
     rate.row(n) *= std::complex<double>(0.0, static_cast<double>(n) * base_frequency_);
   Eigen::MatrixXd values = sample_series(rate, count);
-  if (exact_) return values + exact_->coordinates(dofs_, count).v;
+  if (exact_) values(Eigen::all, columns_) += exact_->coordinates(dofs_, count).v;
   const double first = 2.0 / kTwoPi, second = first / base_frequency_;
   add_kicks(values, [&](const Kick& kick, double angle) -> Eigen::VectorXd {
     return first * sine_over_n(angle) * kick.jump + second * cosine_over_n2(angle) * kick.retardation;

@@ -13,8 +13,8 @@
 namespace signorini {
 
 /// u_d over one period, and where stops move the motion of the frame in which that is told. Of exact orbits
-/// it is their own state, to rounding, where the coordinate has mass and there are no more than 100; else the
-/// structure's response to the load and to the answer's contact force, with
+/// it is their own state, to rounding, where the orbit knows the coordinate (ExactMotion) and the structure
+/// has no more than 100; else the structure's response to the load and to the answer's contact force, with
 ///
 ///     u_n = Z_n^{-1} (f_n + W lambda_n),   n = 0..H,   w = 2 pi / T.
 ///
@@ -48,6 +48,9 @@ class CoordinateMotion {
     Eigen::VectorXd retardation;  // M^-1 D M^-1 W p_k [m/s^2]
   };
 
+  // The response of the structure in place of the coordinates that the orbit knows not.
+  void respond(const Problem& problem, const Trajectory& answer, const Motion& motion,
+               std::span<const int> dofs);
   // r(t) of the scene's frame (Problem::frame).
   void add_frame(const Problem& problem, int order, std::span<const int> dofs);
   void take_out_kicks(const Problem& problem, const Motion& motion, std::span<const int> dofs);
@@ -59,8 +62,9 @@ class CoordinateMotion {
   Eigen::MatrixXcd u_;  // (H+1) x dofs, less what the kicks add
   std::vector<Kick> kicks_;
   std::optional<double> error_ = {};
-  std::optional<ExactMotion> exact_ = {};  // of dofs_; u_ is then the frame's part alone
+  std::optional<ExactMotion> exact_ = {};  // of dofs_ at columns_; u_ is there the frame's part alone
   std::vector<int> dofs_;
+  std::vector<Eigen::Index> columns_;
 };
 
 }  // namespace signorini

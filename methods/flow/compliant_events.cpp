@@ -13,8 +13,9 @@ CompliantEvents::CompliantEvents(const ContactDynamics& dynamics, double toleran
 FlowState CompliantEvents::place(double time, const State& state) const {
   const auto count = static_cast<std::size_t>(dynamics_.contact_count());
   FlowState flow{.time = time, .state = state, .closed = std::vector<bool>(count, false)};
-  std::vector<bool> compliant = dynamics_.stops().rigid();
-  compliant.flip();
+  std::vector<bool> compliant(count, false);
+  for (int j = 0; j < dynamics_.contact_count(); ++j)
+    compliant[static_cast<std::size_t>(j)] = !dynamics_.halts(j);
   decide(time, state, orders_, std::move(compliant), flow.closed);
   return flow;
 }
@@ -25,7 +26,7 @@ std::vector<bool> CompliantEvents::closed_after(const FlowState& flow, int trigg
   std::vector<bool> closed = before, undecided(before.size(), false);
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     const auto index = static_cast<std::size_t>(j);
-    if (dynamics_.rigid(j)) continue;
+    if (dynamics_.halts(j)) continue;
     if (j == trigger) {
       closed[index] = !before[index];
       continue;

@@ -70,7 +70,7 @@ Eigen::MatrixXd EventFlow::carried(const std::vector<bool>& closed, double durat
   if (integrator_ != Integrator::modal) {
     Eigen::MatrixXd moved = product(matrix_exponential(dynamics_.flow_matrix(mode_) * duration), deviations);
     for (int j = 0; j < dynamics_.structure().relaxing(); ++j)
-      if (dynamics_.rigid(j)) moved.row(dynamics_.size() + j).setZero();  // nothing gives way there
+      if (!dynamics_.structure().relaxes(j)) moved.row(dynamics_.size() + j).setZero();
     return moved;
   }
   const LinearFlow& flow = flows_.of(closed);

@@ -9,6 +9,8 @@ namespace signorini {
 
 RelaxingEvents::RelaxingEvents(const ContactDynamics& dynamics, double tolerance)
     : GivingEvents(dynamics), touch_(event_noise(tolerance) * dynamics.scales().displacement) {
+  for (int j = 0; j < dynamics.contact_count(); ++j)
+    if (!dynamics.halts(j) && !springs_) springs_.emplace(dynamics, tolerance);
   // beta x' and beta x'' are told from zero at the noise of xi, X, and of its rates.
   const FlowStructure& structure = dynamics.structure();
   const double floor = event_noise(tolerance) * std::max(structure.scales.displacement,
@@ -23,10 +25,10 @@ FlowState RelaxingEvents::place(double time, const State& state) const {
   FlowState flow{.time = time, .state = state, .closed = std::vector<bool>(count, false)};
   std::vector<int> own;
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
-    if (!dynamics_.rigid(j))
+    if (structure.relaxes(j))
       own.push_back(j);
     else
-      flow.state.u[dynamics_.size() + j] = 0.0;  // nothing gives way before a rigid stop
+      flow.state.u[dynamics_.size() + j] = 0.0;
   }
   Eigen::VectorXd gap = entries_of(structure.gaps - structure.unloaded(time, flow.state.u, 0), own);
   if (gap.size() > 0 && gap.minCoeff() < 0.0) {
@@ -41,6 +43,7 @@ FlowState RelaxingEvents::place(double time, const State& state) const {
   std::vector<bool> undecided(count, false);
   for (std::size_t i = 0; i < own.size(); ++i)
     undecided[static_cast<std::size_t>(own[i])] = gap[static_cast<Eigen::Index>(i)] <= touch_;
+  if (springs_) flow.closed = springs_->place(time, flow.state).closed;
   decide(time, flow.state, orders_, std::move(undecided), flow.closed);
   hold(flow.state, dynamics_.mode(flow.closed));
   return flow;
@@ -80,7 +83,9 @@ void RelaxingEvents::pass(const FlowState& after, const Eigen::VectorXd& before,
   const int n = dynamics_.size();
   const double speed =
       dynamics_.structure().directions.col(trigger).dot(before.head(n)) + before[n + trigger];
-  if (after.closed[static_cast<std::size_t>(trigger)] && speed > 0.0) {
+  const bool jumps =
+      dynamics_.structure().relaxes(trigger) && after.closed[static_cast<std::size_t>(trigger)];
+  if (jumps && speed > 0.0) {
     const Eigen::RowVectorXd earlier = moved(trigger, derivative).transpose() / speed;
     derivative += (rates(after) - before) * earlier;
   }
@@ -99,8 +104,10 @@ void RelaxingEvents::admit(const ContactMode& of_all, Eigen::MatrixXd& derivativ
 }
 
 std::vector<bool> RelaxingEvents::closed_after(const FlowState& flow, int trigger, bool struck) const {
-  const std::vector<bool>& before = flow.closed;
-  const bool own = trigger >= 0 && !dynamics_.rigid(trigger);
+  // What springs do is felt by none of the others, and they feel displacements alone.
+  const std::vector<bool> before = springs_ ? springs_->closed_after(flow, trigger, struck) : flow.closed;
+  const FlowStructure& structure = dynamics_.structure();
+  const bool own = trigger >= 0 && structure.relaxes(trigger);
   const bool closes = own && !before[static_cast<std::size_t>(trigger)];
   const MotionDerivatives motion = dynamics_.derivatives(dynamics_.mode(before), flow.time, flow.state, 2);
   // Where a contact closes or velocities have jumped, all forces jump. A contact that closes is pushed,
@@ -108,15 +115,15 @@ std::vector<bool> RelaxingEvents::closed_after(const FlowState& flow, int trigge
   std::vector<bool> closed = before, undecided(before.size(), false);
   for (int j = 0; j < dynamics_.contact_count(); ++j) {
     const auto index = static_cast<std::size_t>(j);
-    if (dynamics_.rigid(j)) continue;
+    if (!structure.relaxes(j)) continue;
     if (own && j == trigger) {
       closed[index] = closes;
     } else if (before[index]) {
-      const double push = -motion.lambda(j, 0) * dynamics_.structure().compliance(j, j);
+      const double push = -motion.lambda(j, 0) * structure.compliance(j, j);
       undecided[index] = closes || struck || push <= orders_[0].floor;
       closed[index] = !undecided[index];
     } else {
-      undecided[index] = dynamics_.structure().gaps[j] - motion.x(j, 0) <= touch_;
+      undecided[index] = structure.gaps[j] - motion.x(j, 0) <= touch_;
     }
   }
   decide(flow.time, flow.state, orders_, std::move(undecided), closed);

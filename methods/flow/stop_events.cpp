@@ -12,13 +12,16 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
   const FlowStructure& structure = dynamics_.structure();
   const auto first = std::ranges::find(undecided, true) - undecided.begin();
   if (first == dynamics_.contact_count()) return;
-  const bool rigid = dynamics_.rigid(static_cast<int>(first));  // all undecided are, or none
+  // As all undecided are.
+  const bool rigid = dynamics_.rigid(static_cast<int>(first));
+  const bool relaxing = structure.relaxes(static_cast<int>(first));
   for (const auto& [order, floor] : orders) {
     std::vector<int> involved;
     std::vector<bool> held;
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       const auto index = static_cast<std::size_t>(j);
-      if (dynamics_.rigid(j) != rigid || (!closed[index] && !undecided[index])) continue;
+      const bool alike = dynamics_.rigid(j) == rigid && structure.relaxes(j) == relaxing;
+      if (!alike || (!closed[index] && !undecided[index])) continue;
       involved.push_back(j);
       held.push_back(closed[index]);
     }
@@ -26,7 +29,6 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
     // u^(k) is that of the contacts closed so far: at rigid stops their force is part of it, and z of a held
     // contact only what the ones still to close change about it.
     // Where contacts relax, the derivative of x is known two orders below that of u.
-    const bool relaxing = !rigid && structure.relaxing() > 0;
     const MotionDerivatives motion =
         dynamics_.derivatives(dynamics_.mode(closed), time, state, std::max(2, order) + (relaxing ? 2 : 0));
     Eigen::VectorXd gap;

@@ -42,8 +42,9 @@ class StopEvents {
   /// with the contacts closed so far as equalities w = 0; -q is the k-th derivative of W^T u + s - g without
   /// the forces of the others. Where contacts relax, z is a derivative less, and q is that of beta (g - x). A
   /// contact with z > floor closes, one with w > floor stays open, and the others are left to the next order.
-  /// The undecided are all rigid or none is: between the two kinds A is 0. Undecided after the last one:
-  /// open. \throws FlowError if there is no solution (only possible where contacts depend on each other)
+  /// The undecided are all rigid, or relax, or are springs: between the kinds A is 0. Undecided after the
+  /// last one: open. \throws FlowError if there is no solution (only possible where contacts depend on each
+  /// other)
   void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
               std::vector<bool>& closed) const;
 
@@ -205,6 +206,7 @@ class RigidEvents final : public StopEvents {
 /// a = W^T v + (s - xi) / beta their speeds without forces; a single one takes lambda = -a / G. So one may
 /// open where another closes. Where the solution has contacts with neither speed nor force, the second
 /// derivatives of x decide, with lambda'. A contact opens where its force vanishes, and no force jumps.
+/// Springs alone beside them close and open as ever (CompliantEvents).
 class RelaxingEvents final : public GivingEvents {
  public:
   /// \param tolerance  of the integration, relative to the scales of the motion [-]
@@ -231,8 +233,9 @@ class RelaxingEvents final : public GivingEvents {
   void pass(const FlowState& after, const Eigen::VectorXd& before, int trigger,
             Eigen::MatrixXd& derivative) const;
 
-  double touch_;               // gap that counts as none [m]
-  std::vector<Order> orders_;  // of speed and acceleration
+  std::optional<CompliantEvents> springs_;  // stops beside them that are springs alone, if there are any
+  double touch_;                            // gap that counts as none [m]
+  std::vector<Order> orders_;               // of speed and acceleration
 };
 
 }  // namespace signorini

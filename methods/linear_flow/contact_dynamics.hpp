@@ -35,7 +35,7 @@ class ContactDynamics {
   [[nodiscard]] bool rigid(int contact) const { return stops_->rigid(contact); }
   /// Whether u'' or xi' jumps where this contact meets its stop, which is rigid or damped: before a spring
   /// alone the motion is smooth there.
-  [[nodiscard]] bool halts(int contact) const { return rigid(contact) || structure_->relaxing() > 0; }
+  [[nodiscard]] bool halts(int contact) const { return rigid(contact) || structure_->relaxes(contact); }
   /// e of a contact; 1 where it takes no impulses, or is none [-].
   [[nodiscard]] double restitution(int contact) const {
     return restitution_[static_cast<std::size_t>(contact)];

@@ -43,10 +43,12 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   if (!factors->definite())
     throw std::runtime_error("the mass matrix is singular on the coordinates with mass");
   if (has_springs(problem)) {
-    if (relaxation > 0.0)
-      throw std::runtime_error("a spring acts on a coordinate without mass that is damped");
     const Eigen::VectorXd springs = stop_compliance(problem);
-    for (int j = 0; j < contact_count(); ++j) compliance(j, j) += springs[scene_contact(j)];
+    for (int j = 0; j < contact_count(); ++j) {
+      const double give = springs[scene_contact(j)];
+      if (give > 0.0 && relaxes(j)) throw std::runtime_error(spring_on_relaxing(scene_contact(j)));
+      compliance(j, j) += give;
+    }
   }
   if (!open.contacts.empty()) {
     const Eigen::VectorXd all = gaps;

@@ -57,8 +57,13 @@ class FlowStructure : public CondensedStructure {
   [[nodiscard]] int scene_contact(int contact) const;
   /// Those of all: Nc that act, then No that stay open.
   [[nodiscard]] std::vector<int> scene_contacts() const;
-  /// Of the parts xi that relax: Nc with a relaxation time, else 0.
+  /// Of the parts xi: Nc with a relaxation time, else 0.
   [[nodiscard]] int relaxing() const { return relaxation > 0.0 ? contact_count() : 0; }
+  /// Whether xi of this contact moves: beside such stops it is 0 at one on coordinates with mass, which is
+  /// rigid or a spring alone.
+  [[nodiscard]] bool relaxes(int contact) const {
+    return relaxation > 0.0 && massless_compliance(contact, contact) > 0.0;
+  }
   [[nodiscard]] int positions() const { return size() + relaxing(); }  ///< Np, of u and xi
   [[nodiscard]] int states() const { return positions() + size(); }    ///< of (u, xi, v)
   /// f, Nd [N].

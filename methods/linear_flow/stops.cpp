@@ -246,10 +246,15 @@ class RelaxingStops final : public Stops {
   }
 
   [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {
-    return Eigen::MatrixXd(structure_.stiffness) + springs(mode);
+    if (mode.active.empty()) return structure_.stiffness;
+    const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
+    return Eigen::MatrixXd(structure_.stiffness) + product_by_transposed(product(W, mode.response), W);
   }
   [[nodiscard]] Eigen::MatrixXd damping(const ContactMode& mode) const override {
-    return Eigen::MatrixXd(structure_.damping) + structure_.relaxation * springs(mode);
+    if (mode.active.empty()) return structure_.damping;
+    const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
+    return Eigen::MatrixXd(structure_.damping) +
+           product_by_transposed(product(W, mode.response), times_relaxation(mode, W));
   }
 
   // A mass G_jj^-1 on the spring and the dashpot of its stop alone.
@@ -258,12 +263,12 @@ class RelaxingStops final : public Stops {
       const int j = mode.active[i];
       const auto row = static_cast<Eigen::Index>(i);
       const double squared = mode.response(row, row) * structure_.delassus(j, j);
-      rate = std::hypot(rate, std::sqrt(squared), structure_.relaxation * squared);
+      rate = std::hypot(rate, std::sqrt(squared), relaxation(j) * squared);
     }
     return rate;
   }
 
-  // lambda_A = R (g_A - s_A - W_A^T u - beta W_A^T v), R = C_AA^-1: springs, dashpots and a load.
+  // lambda_A = R (g_A - s_A - W_A^T u - B W_A^T v), R = C_AA^-1: springs, dashpots and a load.
   [[nodiscard]] FreeForm free_form(const ContactMode& mode) const override {
     FreeForm form = open_form();
     const int n = structure_.size();
@@ -277,7 +282,7 @@ class RelaxingStops final : public Stops {
     depth.col(0) -= g.cast<Complex>();
     form.force_of_state = Eigen::MatrixXd::Zero(active, structure_.states());
     form.force_of_state.leftCols(n) = product_by_transposed(-response, W);
-    form.force_of_state.rightCols(n) = structure_.relaxation * form.force_of_state.leftCols(n);
+    form.force_of_state.rightCols(n) = product_by_transposed(-response, times_relaxation(mode, W));
     form.force_of_load = product_in_complex(-response, depth);
     form.load += product_in_complex(W, form.force_of_load);
     form.relaxing = relaxing(mode, W, g, response);
@@ -285,11 +290,15 @@ class RelaxingStops final : public Stops {
   }
 
  private:
-  // W_A C_AA^-1 W_A^T, Nd x Nd.
-  [[nodiscard]] Eigen::MatrixXd springs(const ContactMode& mode) const {
-    if (mode.active.empty()) return Eigen::MatrixXd::Zero(structure_.size(), structure_.size());
-    const Eigen::MatrixXd active = columns_of(structure_.directions, mode.active);
-    return product_by_transposed(product(active, mode.response), active);
+  // beta, 0 of a spring alone.
+  [[nodiscard]] double relaxation(int contact) const {
+    return structure_.relaxes(contact) ? structure_.relaxation : 0.0;
+  }
+  // W_A B, B with beta of each of the closed contacts on its diagonal.
+  [[nodiscard]] Eigen::MatrixXd times_relaxation(const ContactMode& mode, Eigen::MatrixXd W) const {
+    for (Eigen::Index k = 0; k < W.cols(); ++k)
+      W.col(k) *= relaxation(mode.active[static_cast<std::size_t>(k)]);
+    return W;
   }
 
   // order-th derivative of lambda from those of u and v, Nc.
@@ -304,7 +313,7 @@ class RelaxingStops final : public Stops {
       const int j = mode.active[i];
       const auto w = structure_.directions.col(j);
       depth[static_cast<Eigen::Index>(i)] =
-          w.dot(u) + structure_.relaxation * w.dot(v) + shift[j] - (order == 0 ? structure_.gaps[j] : 0.0);
+          w.dot(u) + relaxation(j) * w.dot(v) + shift[j] - (order == 0 ? structure_.gaps[j] : 0.0);
     }
     set_forces(mode, negative_image(mode.response, depth), lambda);
     return lambda;
@@ -317,13 +326,13 @@ class RelaxingStops final : public Stops {
            structure_.relaxation;
   }
 
-  // xi_A = g_A - W_A^T u, xi_O = z + carried xi_A.
+  // xi_A = g_A - W_A^T u, xi_O = z + carried xi_A; 0 where nothing relaxes.
   [[nodiscard]] RelaxingForm relaxing(const ContactMode& mode, const Eigen::MatrixXd& W,
                                       const Eigen::VectorXd& g, const Eigen::MatrixXd& response) const {
     const int contacts = structure_.contact_count();
     std::vector<int> open;
-    for (int j = 0; j < contacts; ++j) {  // before a rigid stop nothing relaxes
-      if (!mode.closed(j) && structure_.massless_compliance(j, j) > 0.0) open.push_back(j);
+    for (int j = 0; j < contacts; ++j) {
+      if (!mode.closed(j) && structure_.relaxes(j)) open.push_back(j);
     }
     const auto count = static_cast<Eigen::Index>(open.size());
     RelaxingForm form{.of_u = Eigen::MatrixXd::Zero(contacts, structure_.size()),
@@ -337,6 +346,10 @@ class RelaxingStops final : public Stops {
     set_rows(form.of_u, open, product_by_transposed(-carried, W));
     for (Eigen::Index k = 0; k < g.size(); ++k) {
       const int j = mode.active[static_cast<std::size_t>(k)];
+      if (!structure_.relaxes(j)) {
+        form.of_u.row(j).setZero();
+        continue;
+      }
       form.offset[j] = g[k];
       form.of_xi.col(j) = -carried.col(k);
     }

@@ -75,11 +75,14 @@ struct FreeForm {
 ///
 ///     lambda_A = C_AA^-1 (g_A - s_A(t) - W_A^T u - beta W_A^T u'),    C = C_0.
 ///
+/// Beside relaxing stops one that is a spring alone, on coordinates with mass, has beta = 0 in this, C_jj =
+/// 1 / k_j and xi_j = 0: each kind follows the state, none feels the other.
+///
 /// Where a structure has rigid and compliant stops, those follow the equations of a structure with the
 /// springs of these, K + W C^-1 W^T.
 ///
-/// Meanwhile xi_A = g_A - W_A^T u, and of the open contacts O the numbers z = xi_O - C_OA C_AA^-1 xi_A relax
-/// by themselves, beta z' + z = s_O - C_OA C_AA^-1 s_A.
+/// Meanwhile xi_A = g_A - W_A^T u of relaxing ones, and of the open contacts O the numbers z = xi_O - C_OA
+/// C_AA^-1 xi_A relax by themselves, beta z' + z = s_O - C_OA C_AA^-1 s_A.
 class Stops {
  public:
   /// Those of a scene: rigid where its contacts have a restitution, else compliant, relaxing if besides the
@@ -101,8 +104,9 @@ class Stops {
   /// Unit of coupling times force in tolerances: the acceleration scale, or X, or max(X, beta V).
   [[nodiscard]] double scale(int contact) const {
     const MotionScales& scales = structure_.scales;
-    return rigid(contact) ? scales.acceleration
-                          : std::max(scales.displacement, structure_.relaxation * scales.velocity);
+    if (rigid(contact)) return scales.acceleration;
+    const double beta = structure_.relaxes(contact) ? structure_.relaxation : 0.0;
+    return std::max(scales.displacement, beta * scales.velocity);
   }
 
   /// Adds M^-1 W lambda to `a`, the acceleration without contact forces; `u` is Np, `v` and `a` are Nd.

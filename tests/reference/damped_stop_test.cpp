@@ -231,5 +231,56 @@ TEST(DampedStop, IsMetByMethodsOfTimeAndOfFrequency) {
   }
 }
 
+constexpr double kBehind = 0.15, kSpring = 30.0;
+
+// u of the mass between such a stop and a spring alone at -kBehind, at the ends of small steps from u, u' and
+// compression at t = 0: none looks for an event. First order in the step where the push jumps.
+std::vector<double> small_steps(const Stop& stop, const Eigen::Vector3d& start, int steps) {
+  const double h = kPeriod / steps, back = std::exp(-stop.stiffness / stop.damping * h);
+  double u = start[0], v = start[1], compressed = start[2];
+  bool touched = u - kGap >= compressed;
+  const auto acceleration = [&](double t, double x, double rate) {
+    const double push = touched ? std::max(0.0, stop.stiffness * (x - kGap) + stop.damping * rate) : 0.0;
+    return std::cos(kFrequency * t) - kDamping * rate - x - push + kSpring * std::max(0.0, -x - kBehind);
+  };
+  std::vector<double> result;
+  for (int i = 0; i < steps; ++i) {
+    const double t = i * h, x = u + 0.5 * h * v, rate = v + 0.5 * h * acceleration(t, u, v);
+    v += h * acceleration(t + 0.5 * h, x, rate);
+    u += h * rate;
+    touched = u - kGap >= back * compressed;
+    compressed = touched ? u - kGap : back * compressed;
+    result.push_back(u);
+  }
+  return result;
+}
+
+TEST(DampedStop, BesideASpringAloneIsFollowed) {
+  for (const Stop& stop : {kQuick, kSlow}) {
+    SCOPED_TRACE(stop.stiffness);
+    Problem problem = scene(stop);
+    problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = kBehind, .law = Spring{kSpring}});
+    validate(problem);
+    const Solution exact = test::solve<ExactOrbitMethod>(problem, {});
+    ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
+    constexpr int kInstants = 2000, kFine = 200;
+    const Samples orbit = exact.trajectory->sample(kInstants);
+    EXPECT_LT(orbit.force.col(0).minCoeff(), -0.1) << "touches its damped stop";
+    EXPECT_LT(orbit.force.col(1).minCoeff(), -0.1) << "touches its spring";
+    const double u = -orbit.x(0, 1);
+    const std::vector<double> steps =
+        small_steps(stop, {u, -orbit.velocity(0, 1), u - orbit.x(0, 0)}, kInstants * kFine);
+    double apart = 0.0;
+    for (int i = 1; i < kInstants; ++i)
+      apart = std::max(apart, std::abs(steps[static_cast<std::size_t>(i * kFine - 1)] + orbit.x(i, 1)));
+    EXPECT_LT(apart, 1e-4);
+    EXPECT_LT(std::abs(steps.back() - u), 1e-4) << "and is periodic";
+    const Solution followed =
+        test::solve<EventDriven>(problem, {.steady = EventDriven::Steady::shooting}, exact.trajectory);
+    ASSERT_EQ(followed.verdict, Verdict::converged) << followed.message;
+    EXPECT_LT(test::relative_distance(*followed.trajectory, *exact.trajectory), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace signorini::damped_stop_test

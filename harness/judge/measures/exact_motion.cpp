@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "methods/flow/event_trajectory.hpp"
 #include "methods/orbit/exact_trajectory.hpp"
@@ -33,6 +34,13 @@ Eigen::Index ExactMotion::place_of(int dof) const {
   return place != kept_.end() && *place == dof ? place - kept_.begin() : -1;
 }
 
+Eigen::Index ExactMotion::contact_on(int dof) const {
+  const auto alone = std::ranges::find_if(contacts_, [dof](const Contact& contact) {
+    return contact.normal.size() == 1 && contact.normal.front().first == dof;
+  });
+  return alone != contacts_.end() ? alone - contacts_.begin() : -1;
+}
+
 std::vector<SpeedsBeside> ExactMotion::speeds_beside_impulses() const {
   // The arcs of both sides are told apart beyond the rounding of an instant.
   const double aside = 8.0 * std::numeric_limits<double>::epsilon() * motion_->period();
@@ -53,17 +61,25 @@ std::vector<SpeedsBeside> ExactMotion::speeds_beside_impulses() const {
 
 Eigen::MatrixXcd ExactMotion::force_coefficients(int count) const { return motion_->force_spectrum(count); }
 
-bool ExactMotion::knows(std::span<const int> dofs) const {
-  return std::ranges::all_of(dofs, [this](int dof) { return place_of(dof) >= 0; });
-}
-
 ExactMotion::Coordinates ExactMotion::coordinates(std::span<const int> dofs, int count) const {
   const auto columns = static_cast<Eigen::Index>(dofs.size());
   Coordinates found{Eigen::MatrixXd(count, columns), Eigen::MatrixXd(count, columns)};
-  for (int i = 0; i < count; ++i) {
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> places;  // of columns
+  for (Eigen::Index column = 0; column < columns; ++column) {
+    const int dof = dofs[static_cast<std::size_t>(column)];
+    if (const Eigen::Index place = place_of(dof); place >= 0) {
+      places.emplace_back(column, place);
+      continue;
+    }
+    const Eigen::Index contact = contact_on(dof);
+    const double factor = contacts_[static_cast<std::size_t>(contact)].normal.front().second;
+    const Samples samples = motion_->sample(count);
+    found.u.col(column) = samples.x.col(contact) / factor;
+    found.v.col(column) = samples.velocity.col(contact) / factor;
+  }
+  for (int i = 0; i < count && !places.empty(); ++i) {
     const State state = motion_->at(i * (motion_->period() / count));
-    for (Eigen::Index column = 0; column < columns; ++column) {
-      const Eigen::Index place = place_of(dofs[static_cast<std::size_t>(column)]);
+    for (const auto& [column, place] : places) {
       found.u(i, column) = state.u[place];
       found.v(i, column) = state.v[place];
     }

@@ -21,7 +21,8 @@ struct SpeedsBeside {
 /// Whether force and motion are one solution of the equation of motion between events (Motion::integrated).
 bool is_integrated(const Trajectory& motion);
 
-/// An exact orbit of a scene in the scene's own coordinates: of all those that have mass.
+/// An exact orbit of a scene in the scene's own coordinates: of all those that have mass, and those without
+/// that a contact has for its own, as the faces of damped stops.
 class ExactMotion {
  public:
   /// Empty where the motion is no exact orbit in closed form, or that of a reduced structure.
@@ -34,8 +35,8 @@ class ExactMotion {
   /// Fourier coefficients n = 0..count of force and impulses, (count+1) x Nc [N]; empty where the motion is
   /// no sum of modes between its events.
   [[nodiscard]] Eigen::MatrixXcd force_coefficients(int count) const;
-  /// Whether all of these coordinates have mass.
-  [[nodiscard]] bool knows(std::span<const int> dofs) const;
+  /// Whether this coordinate has mass, or is the displacement of some contact but for a factor.
+  [[nodiscard]] bool knows(int dof) const { return place_of(dof) >= 0 || contact_on(dof) >= 0; }
   /// u and u' of coordinates that it knows at `count` equidistant instants from t = 0, right-sided, each
   /// count x dofs [m], [m/s].
   struct Coordinates {
@@ -47,6 +48,8 @@ class ExactMotion {
   ExactMotion(const Problem& problem, const ExactTrajectory& motion);
   /// Its place among those with mass; -1: it has none.
   [[nodiscard]] Eigen::Index place_of(int dof) const;
+  /// The contact on this coordinate alone; -1: there is none.
+  [[nodiscard]] Eigen::Index contact_on(int dof) const;
 
   const ExactTrajectory* motion_;
   std::vector<Contact> contacts_;

@@ -68,7 +68,9 @@ CondensedStructure condense(const Problem& problem, int most) {
   }
   const std::optional<double> relaxation = relaxation_at(problem, b);
   if (!relaxation) {
-    result.obstacle = "the damping of coordinates without mass is not proportional to their stiffness";
+    result.obstacle =
+        "the damping of coordinates without mass, as faces of damped stops are, is not the same multiple of "
+        "their stiffness";
     return result;
   }
   result.obstacle = std::move(seen.obstacle);
@@ -110,13 +112,17 @@ CondensedStructure with_open_contacts(CondensedStructure all, const std::vector<
   return all;
 }
 
+std::string spring_on_relaxing(int contact) {
+  return fmt::format("contact {} is a spring on a coordinate without mass that is damped", contact);
+}
+
 std::string flow_obstacle(const Problem& problem) {
   const CondensedStructure structure = condense(problem);
   if (!structure.obstacle.empty()) return structure.obstacle;
-  if (structure.relaxation > 0.0 && has_springs(problem))
-    return "a stop that is a spring alone is not followed through time beside damped ones, or on a "
-           "coordinate "
-           "without mass that is damped";
+  const Eigen::VectorXd springs = stop_compliance(problem);
+  for (int j = 0; structure.relaxation > 0.0 && j < problem.contact_count(); ++j) {
+    if (springs[j] > 0.0 && structure.massless_compliance(j, j) > 0.0) return spring_on_relaxing(j);
+  }
   if (structure.relaxation > 0.0 && problem.size() > kMostRelaxing)
     return fmt::format("{} coordinates: at most {} are followed through time where massless ones are damped",
                        problem.size(), kMostRelaxing);

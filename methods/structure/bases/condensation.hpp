@@ -74,6 +74,10 @@ CondensedStructure condense(const Problem& problem, int most = kMostInTime);
 /// \param acting  those that may close, ascending
 CondensedStructure with_open_contacts(CondensedStructure all, const std::vector<int>& acting);
 
+/// Why the spring of a contact on damped coordinates without mass is not followed through time: its x would
+/// be one state more, with a time of its own.
+std::string spring_on_relaxing(int contact);
+
 /// Why a scene's motion is not followed through time, one clause; empty if it is.
 std::string flow_obstacle(const Problem& problem);
 

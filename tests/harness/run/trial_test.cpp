@@ -12,10 +12,10 @@ namespace {
 
 /// The records of a trial of the fake method after each of its stages, in this process.
 std::vector<Record> stages_of(const std::string& behaviour, bool certified = true, int samples = 0,
-                              bool measured = true) {
+                              bool measured = true, double certificate = 5.0) {
   const Scene scene = test::one_mass_scene();
   const Case planned_case = test::fake_case(scene, behaviour);
-  const Limits limits{.timeout = 5.0, .repetitions = 1, .certificate_timeout = 5.0};
+  const Limits limits{.timeout = 5.0, .repetitions = 1, .certificate_timeout = certificate};
   const Reference none{.reason = "not asked for"};
   const OrbitTools orbits(test::free_orbits());
   const Trial trial{.scene = scene,
@@ -48,6 +48,14 @@ TEST(RunTrial, AddsToTheRecordStageByStage) {
   EXPECT_EQ(stage(TrialStage::measured).physics.penetration, 0.0);
   EXPECT_EQ(stage(TrialStage::measured).certificate.status, CertificateStatus::none);
   EXPECT_EQ(stage(TrialStage::certified).certificate.status, CertificateStatus::certified);
+}
+
+TEST(RunTrial, SaysThatNoCertificateIsAskedForWhereItMayTakeNoTime) {
+  const Record record = stages_of("good", true, 0, true, 0.0).back();
+  EXPECT_EQ(record.status, Status::converged);
+  EXPECT_EQ(record.certificate.status, CertificateStatus::none);
+  EXPECT_EQ(record.certificate.reason, "none is asked for (--certificate 0)");
+  EXPECT_FALSE(record.certificate.expired.has_value());
 }
 
 TEST(RunTrial, CountsTheProcessorTimeOfEachStageThatWasReached) {

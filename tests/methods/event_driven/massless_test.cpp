@@ -208,17 +208,17 @@ TEST(MasslessContacts, DampedOtherwiseAreRefusedWithTheReason) {
     s.damping = SparseMatrix(0.1 * s.stiffness);
     s.damping.coeffRef(1, 1) += 0.1;
   });
-  EXPECT_EQ(EventDriven({}).supports(damped).reason,
-            "the damping of coordinates without mass is not proportional to their stiffness");
+  EXPECT_EQ(
+      EventDriven({}).supports(damped).reason,
+      "the damping of coordinates without mass, as faces of damped stops are, is not the same multiple of "
+      "their stiffness");
   EXPECT_EQ(ExactOrbitMethod({}).supports(damped).reason, EventDriven({}).supports(damped).reason);
   Problem sprung = test::massless_node();
   sprung.edit_structure([&](Structure& s) { s.damping = SparseMatrix(0.1 * s.stiffness); });
   EXPECT_EQ(EventDriven({}).supports(sprung).reason, "");
   sprung.set_law(Penalty{.stiffness = {50.0}});
-  EXPECT_EQ(
-      EventDriven({}).supports(sprung).reason,
-      "a stop that is a spring alone is not followed through time beside damped ones, or on a coordinate "
-      "without mass that is damped");
+  EXPECT_EQ(EventDriven({}).supports(sprung).reason,
+            "contact 0 is a spring on a coordinate without mass that is damped");
 }
 
 /// Radius of the synchronous full rub of oracle 1i without friction: the solutions of

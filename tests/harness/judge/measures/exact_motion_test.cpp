@@ -61,6 +61,42 @@ TEST(ExactMotion, HasTheSameCoordinateAsContact) {
   }
 }
 
+// The face of a damped stop has no mass: spring, damper and contact force balance there at every instant. Of
+// a coordinate that only a response tells, the others are none the worse.
+TEST(ExactMotion, HasTheFacesOfDampedStopsAndTheOthersBesideAny) {
+  const Found found = exact_orbit_of(read_scene(find_scene("sdof-damped-stop")).problem);
+  const CoordinateMotion both(found.problem, *found.orbit, found.motion, std::array{0, 1});
+  EXPECT_FALSE(both.error());
+  const auto count = static_cast<int>(found.motion.count());
+  const Eigen::MatrixXd u = both.displacement(count), v = both.velocity(count);
+  const Eigen::VectorXd force = found.motion.samples.force.col(0);
+  const Eigen::VectorXd balance = u * Eigen::MatrixXd(found.problem.stiffness()).row(1).transpose() +
+                                  v * Eigen::MatrixXd(found.problem.damping()).row(1).transpose() - force;
+  ASSERT_GT(force.cwiseAbs().maxCoeff(), 0.0);
+  EXPECT_LT(balance.cwiseAbs().maxCoeff(), 1e-9 * force.cwiseAbs().maxCoeff());
+
+  Problem middle =
+      found.problem;  // a third coordinate, without mass and contact, between the mass and ground
+  middle.edit_structure([](Structure& s) {
+    for (SparseMatrix* matrix : {&s.mass, &s.damping, &s.stiffness}) matrix->conservativeResize(3, 3);
+    const double beta = s.damping.coeff(1, 1) / s.stiffness.coeff(1, 1);
+    const auto add = [](SparseMatrix& A, double k) {
+      A.coeffRef(0, 0) += k;
+      A.coeffRef(0, 2) -= k;
+      A.coeffRef(2, 0) -= k;
+      A.coeffRef(2, 2) += 2.0 * k;
+    };
+    add(s.stiffness, 1.0);
+    add(s.damping, beta);
+  });
+  const Found wider = exact_orbit_of(middle);
+  const CoordinateMotion alone(middle, *wider.orbit, wider.motion, std::array{0});
+  const CoordinateMotion beside(middle, *wider.orbit, wider.motion, std::array{2, 0});
+  EXPECT_TRUE(beside.error());
+  EXPECT_LT((beside.displacement(count).col(1) - alone.displacement(count).col(0)).cwiseAbs().maxCoeff(),
+            1e-15 * amplitude(wider.motion));
+}
+
 // What is computed from samples says how far it may be off, and is not farther.
 TEST(CoordinateMotionOfSamples, IsAsGoodAsItSays) {
   for (const char* scene : {"sdof-penalty-stiff", "sdof-stick"}) {

@@ -102,8 +102,10 @@ TEST(Condense, SaysWhereItCannotBeDone) {
   damped.edit_structure([&](Structure& s) {
     s.damping = Eigen::MatrixXd((Eigen::Matrix2d() << 0.1, 0.0, 0.0, 0.1).finished()).sparseView();
   });
-  EXPECT_EQ(condense(damped).obstacle,
-            "the damping of coordinates without mass is not proportional to their stiffness");
+  EXPECT_EQ(
+      condense(damped).obstacle,
+      "the damping of coordinates without mass, as faces of damped stops are, is not the same multiple of "
+      "their stiffness");
   Problem loose = test::massless_node();
   loose.edit_structure([&](Structure& s) {
     s.stiffness = Eigen::MatrixXd(Eigen::Vector2d(1.0, 0.0).asDiagonal()).sparseView();
