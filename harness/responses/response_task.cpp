@@ -133,9 +133,8 @@ class ExactTask final : public CaseTask {
                                                .begin_at = motions_of(varied, settled, orders),
                                                .deadline = Deadline::after(asked_.limits.reference_timeout)})
                                       .value();
-    mark_on_branches(settled, diagram.branches);
     ResponseCurve curve = curve_of(diagram);
-    tell_attractors(settled, off_branches(settled, "rad/s", orders), curve);
+    tell_attractors(settled, off_branches(settled, diagram.branches, "rad/s", orders), curve);
     return curve;
   }
 

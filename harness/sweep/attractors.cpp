@@ -236,22 +236,15 @@ std::vector<KnownMotion> motions_of(const ParametrisedScene& scene, const std::v
   return motions;
 }
 
-void mark_on_branches(std::vector<AttractorsAt>& all, const std::vector<Branch>& branches) {
+std::vector<std::string> off_branches(std::vector<AttractorsAt>& all, const std::vector<Branch>& branches,
+                                      const std::string& unit, int max_order) {
+  std::vector<std::string> lines;
   for (AttractorsAt& at : all) {
     for (Attractor& one : at.attractors) {
       if (!repeats(one)) continue;
       one.on_branch =
           std::ranges::any_of(branches, [&](const Branch& branch) { return passes(branch, at.value, one); });
-    }
-  }
-}
-
-std::vector<std::string> off_branches(const std::vector<AttractorsAt>& all, const std::string& unit,
-                                      int max_order) {
-  std::vector<std::string> lines;
-  for (const AttractorsAt& at : all) {
-    for (const Attractor& one : at.attractors) {
-      if (one.on_branch.value_or(true)) continue;
+      if (*one.on_branch) continue;
       const std::string motion =
           one.verdict == LongRun::at_rest
               ? "a state of rest"

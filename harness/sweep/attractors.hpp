@@ -28,8 +28,8 @@ struct Attractor {
   std::string reason = {};              ///< of the first start that is undecided
   std::vector<OrbitEvent> events = {};  ///< of one period, unless it is irregular
   std::vector<bool> pushing = {};       ///< contacts that push throughout, likewise
-  std::optional<bool> on_branch =
-      {};  ///< whether a branch passes through it, once `mark_on_branches` has looked
+  /// Whether a branch passes through it, once `off_branches` has looked.
+  std::optional<bool> on_branch = {};
 
   /// Half of largest less least x of the contact that moves most [m].
   [[nodiscard]] double amplitude() const;
@@ -63,14 +63,12 @@ std::vector<KnownMotion> motions_of(const ParametrisedScene& scene, const std::v
                                     int max_order);
 
 /// Says of each of these whether a branch passes through it: has a point at the value, of its order, whose
-/// largest x and amplitude of each contact are its own to 1e-5 of the largest.
-/// \param branches  with points at the values (CurveLimits::at)
-void mark_on_branches(std::vector<AttractorsAt>& all, const std::vector<Branch>& branches);
-
-/// Those through which no branch passes, in words: "at 2.31 rad/s 5 of 24 starts settle to a motion of 3
-/// periods that lies on no branch". \param unit  of the values \param max_order  of the branches
-std::vector<std::string> off_branches(const std::vector<AttractorsAt>& all, const std::string& unit,
-                                      int max_order);
+/// largest x and amplitude of each contact are its own to 1e-5 of the largest. Returns those through which
+/// none passes in words: "at 2.31 rad/s 5 of 24 starts settle to a motion of 3 periods that lies on no
+/// branch". \param branches  with points at the values (CurveLimits::at) \param unit  of the values
+/// \param max_order  of the branches
+std::vector<std::string> off_branches(std::vector<AttractorsAt>& all, const std::vector<Branch>& branches,
+                                      const std::string& unit, int max_order);
 
 /// A row for each attractor. \param parameter  the title of the first column
 Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& parameter);

@@ -35,11 +35,11 @@ LimitedSample steepest(const LimitedOutput& f, const LimitedSample& a, const Lim
 }
 
 constexpr std::size_t kMostInstants = std::size_t{1} << 20U;  // 65,536 periods; 8 MB
+constexpr double kAngle = kTwoPi / 16.0;                      // a step, in terms of the fastest rate left
 
 // Instants from `begin` to `end`, both included, a step apart that resolves the fastest rate left, so many
 // steps at least.
 std::vector<double> instants(double begin, double end, const std::vector<FadingRate>& terms, int steps = 2) {
-  constexpr double kAngle = kTwoPi / 16.0;  // a step, in terms of the fastest rate left
   std::vector<double> times{begin};
   for (double t = begin; t < end;) {
     const double next = t + std::min(kAngle / fastest_left(terms, t), (end - begin) / steps);
@@ -213,7 +213,6 @@ std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, doubl
 
 std::vector<LimitedSample> extremes(const LimitedOutput& f, double begin, double end,
                                     const std::vector<FadingRate>& terms) {
-  constexpr double kAngle = kTwoPi / 16.0;  // a step, in terms of the fastest rate left
   constexpr double kSafe = 0.99;
   std::vector<LimitedSample> found{{.time = begin, .value = f.value(begin, 0)}};
   const auto between = [&](const LimitedSample& a, const LimitedSample& b) {

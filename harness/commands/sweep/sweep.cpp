@@ -294,9 +294,9 @@ AttractorBranches branches_at(std::vector<AttractorsAt>& found, const SweepArgum
   result.responses = branches_of_methods(silent, scene, varied, result.all);
   for (const MethodResponse& response : result.responses) {
     if (parse_method_label(response.method).method != exact.entry->name) continue;
-    mark_on_branches(found, response.diagram.branches);
-    result.off = off_branches(
-        found, arguments.parameter == kFrequency ? "rad/s" : "of " + arguments.parameter, orders);
+    result.off =
+        off_branches(found, response.diagram.branches,
+                     arguments.parameter == kFrequency ? "rad/s" : "of " + arguments.parameter, orders);
   }
   return result;
 }

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "methods/continuation/curve_tracer.hpp"
 #include "methods/orbit/bifurcation_curves/special_equations.hpp"
 #include "methods/orbit/continuation/contact_changes.hpp"
 #include "methods/orbit/continuation/grazing_starts.hpp"
@@ -182,8 +183,8 @@ class BifurcationCurveTracer {
 
   [[nodiscard]] CurveStep whole_step() const { return {.x = x_, .tangent = tangent_, .length = step_}; }
   void advance() {
-    constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
-    constexpr double kShortest = 1e-7;               // below, the curve ends
+    constexpr double kShort = 1e-4;     // a step at which every turn is taken
+    constexpr double kShortest = 1e-7;  // below, the curve ends
     if (limits_.expired()) return finish("the time is up");
     if (step_ < kShortest) return finish("the corrector fails");
     const auto iterations = correct(*special_, x_ + step_ * tangent_, tangent_, kLimits);
@@ -191,7 +192,8 @@ class BifurcationCurveTracer {
     if (clearance_of_section(special_->orbits().orbit()) <= 0.0) return shorten(0.5);
     if (leaves()) return;
     const auto tangent = tangent_of(*special_, tangent_);
-    if (!tangent || (tangent->dot(tangent_) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
+    const bool turned = tangent && tangent->dot(tangent_) < std::cos(StepRules::kTurned);
+    if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
     if (const auto guard = violated(*special_)) return turns_back() ? void() : end_at(*guard);
     const double turn = std::acos(std::min(1.0, tangent->dot(tangent_)));
     x_ = special_->x();

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "methods/continuation/curve_tracer.hpp"
 #include "methods/orbit/continuation/hidden_bifurcations.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
@@ -223,8 +224,8 @@ class Tracer {
 
   // One attempt at a step: taken, or shortened.
   void advance() {
-    constexpr double kTurned = 0.35, kShort = 1e-4;  // rad; a step at which every turn is taken
-    constexpr double kShortestTurn = 1e-6;           // over a value that is asked for
+    constexpr double kShort = 1e-4;         // a step at which every turn is taken
+    constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
     if (limits_.expired()) return finish("the time is up");
     if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
     auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.secants = true});
@@ -236,7 +237,8 @@ class Tracer {
     const bool beyond = target ? target->leaves : lands;
     if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
     const auto tangent = tangent_of(*equations_, here_.tangent);
-    if (!tangent || (tangent->dot(here_.tangent) < std::cos(kTurned) && step_ > kShort)) return shorten(0.5);
+    const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(StepRules::kTurned);
+    if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
     if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
       return shorten(0.5);
     Station next = station_at(*equations_, *tangent, range(target.has_value() || lands));

@@ -86,9 +86,8 @@ TEST(Attractors, OfThreePeriodsLieOnABranchOfDefaultOptions) {
   std::vector<Branch> branches;
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) branches.push_back(branch_from_json(Json::parse(line)));
-  mark_on_branches(found, branches);
+  EXPECT_TRUE(off_branches(found, branches, "rad/s", 6).empty());
   for (const Attractor& one : found[0].attractors) EXPECT_TRUE(one.on_branch.value()) << one.order;
-  EXPECT_TRUE(off_branches(found, "rad/s", 6).empty());
 }
 
 // Five impacts in three periods: no answer, no orbit of one impact and no other branch leads to it.
@@ -127,11 +126,9 @@ TEST(Attractors, ThatLieOnNoBranchAreTold) {
   const auto branch = [](double amplitude, int order) {
     return Branch{.points = {{.parameter = 2.31, .order = order, .x_max = {0.2}, .amplitude = {amplitude}}}};
   };
-  mark_on_branches(all, {branch(0.35, 3)});
-  EXPECT_TRUE(off_branches(all, "rad/s", 6).empty());
+  EXPECT_TRUE(off_branches(all, {branch(0.35, 3)}, "rad/s", 6).empty());
   for (const Branch& other : {branch(0.3501, 3), branch(0.35, 1)}) {
-    mark_on_branches(all, {other});
-    EXPECT_EQ(off_branches(all, "rad/s", 6),
+    EXPECT_EQ(off_branches(all, {other}, "rad/s", 6),
               std::vector<std::string>{
                   "at 2.31 rad/s 5 of 24 starts settle to a motion of 3 periods that lies on no branch"});
   }
