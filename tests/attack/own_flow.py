@@ -91,6 +91,13 @@ class Flow:
         self.harmonics = sorted({term["harmonic"] for term in self.terms})
         self.modes = {}
 
+    def shifts(self, orbit):
+        """What neither springs nor the contacts of an orbit hold, as its contacts see it, one column for each such
+        motion: moved by any part of it the orbit is one, too, as long as it meets no other stop."""
+        near = 0.01 * np.abs(orbit - self.gaps).max()
+        touched = self.normals[(orbit - self.gaps).max(axis=0) > -near]
+        return self.normals @ null_space(self.K, touched)
+
     def mode(self, closed):
         """Of a set of closed contacts: propagators over a step and its halves, and z -> what each contact presses with."""
         if closed not in self.modes:
@@ -242,9 +249,19 @@ def exponential(A):
     return result
 
 
-def distance(x, orbit):
-    """Root mean square of the difference over that of the orbit about its mean, at the same phase."""
+def null_space(*parts):
+    """Of the rows of matrices, each in units of its own largest entry."""
+    rows = np.vstack([part / max(np.abs(part).max(initial=0.0), 1e-300) for part in parts])
+    _, values, right = np.linalg.svd(rows)
+    return right[np.count_nonzero(values > 1e-9 * values.max(initial=0.0)):].T
+
+
+def distance(x, orbit, shifts=None, least=1e-12):
+    """Root mean square of the difference over that of the orbit about its mean, at the same phase, of the nearest orbit of its
+    family (Flow.shifts). What moves by less than `least` rests."""
     periods = math.lcm(len(x), len(orbit))
     a, b = np.tile(x, (periods // len(x), 1)), np.tile(orbit, (periods // len(orbit), 1))
+    if shifts is not None and shifts.size:
+        b = b + shifts @ np.linalg.lstsq(shifts, (a - b).mean(axis=0), rcond=None)[0]
     size = math.sqrt(((orbit - orbit.mean(axis=0))**2).mean())
-    return math.sqrt(((a - b)**2).mean()) / max(size, 1e-12)
+    return math.sqrt(((a - b)**2).mean()) / max(size, least)

@@ -38,8 +38,8 @@ def write_scenes(folder, asked):
     scenes = ", ".join(f'"{name}/*.toml"' for name, (_, count) in kinds.items() if count)
     methods = ", ".join(f'"{name}[{setting}]"' for name, setting in METHODS.items())
     (folder / "suite.toml").write_text('schema = 1\nname = "population"\ntitle = "defaults of all methods"\n'
-                                       f"scenes = [{scenes}]\n"
-                                       f"methods = [{methods}]\n[limits]\ntimeout = 15.0\nreference_timeout = 5.0\nrepetitions = 1\n")
+                                       f"scenes = [{scenes}]\nmethods = [{methods}]\n[limits]\ntimeout = 15.0\n"
+                                       f"reference_timeout = {asked.reference}\nrepetitions = 1\n")
 
 
 def claim_of(record):
@@ -66,6 +66,8 @@ class Referee:
                               "0", "--samples", str(order * INSTANTS), "--dofs", ",".join(map(str, range(size)))],
                              capture_output=True, check=False).stdout
         motion = json.loads(out)["trajectory"]
+        if "u" not in motion:
+            raise ValueError("the coordinates are not known")
         u = np.array(motion["u"]).T
         step = record["period"] / len(u)
         v = (np.roll(u, -1, axis=0) - np.roll(u, 1, axis=0)) / (2.0 * step)
@@ -75,7 +77,9 @@ class Referee:
         """From a claim to the nearest of the orbits found from it and of those known, or None."""
         scene, order, x, force, u, v, step = self.told(record)
         flow = own_flow.Flow(scene, record["law"])
-        found = [own_flow.distance(x[::INSTANTS // own_flow.STEPS], orbit) for orbit in known]
+        rests = 1e-6 * np.abs(u).max()
+        apart = lambda orbit: own_flow.distance(x[::INSTANTS // own_flow.STEPS], orbit, flow.shifts(orbit), rests)
+        found = [apart(orbit) for orbit in known]
         open_ = np.flatnonzero((np.abs(force) < 1e-9 * np.abs(force).max() + 1e-300).all(axis=1))
         starts = open_ if len(open_) else np.arange(len(x))
         for at in starts[np.linspace(0, len(starts) - 1, 8).astype(int)]:
@@ -87,7 +91,7 @@ class Referee:
                 continue
             orbit = np.roll(orbit, at // (INSTANTS // own_flow.STEPS), axis=0)
             known.append(orbit)
-            found.append(own_flow.distance(x[::INSTANTS // own_flow.STEPS], orbit))
+            found.append(apart(orbit))
         return min(found, default=None)
 
 
@@ -126,6 +130,7 @@ def main():
     parser.add_argument("--masses", type=int, default=150)
     parser.add_argument("--structures", type=int, default=40)
     parser.add_argument("--loose", type=int, default=0, help="free parts, contacts between bodies, mixed laws")
+    parser.add_argument("--reference", type=float, default=5.0, help="seconds to march from rest for, of each scene and law")
     parser.add_argument("--methods", type=lambda text: text.split(","), default=list(METHODS))
     parser.add_argument("--folder", type=pathlib.Path, help="population-SEED if absent")
     parser.add_argument("--judge-only", action="store_true", help="of the records that are there")
