@@ -12,6 +12,12 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The machine is short of processes, descriptors or memory, by no fault of this program; exit code 2.
+class MachineFull : public UsageError {
+ public:
+  using UsageError::UsageError;
+};
+
 /// A filter that leaves nothing to do, exit code 3.
 class NothingMatched : public std::runtime_error {
  public:

@@ -39,21 +39,30 @@ std::string first_line(const std::filesystem::path& path) {
 namespace {
 
 /// What will be a file: made anew under a name of its own beside it. What stands there under that name, of a
-/// run that was killed or of somebody else, is removed and never followed.
+/// run that was killed or of somebody else, is removed and never followed. The folder is looked up once: one
+/// that is exchanged meanwhile gets nothing.
 class Draft {
  public:
-  explicit Draft(const std::filesystem::path& file) : file_(file.string()), name_(file_ + ".new") {
-    unlink(name_.c_str());
-    constexpr mode_t kReadable = 0666;  // less the umask
-    descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadable);
+  explicit Draft(const std::filesystem::path& file)
+      : file_(file.filename().string()), name_(file_ + ".new") {
+    const std::filesystem::path parent = file.has_parent_path() ? file.parent_path() : ".";
+    folder_ = open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+    if (folder_ >= 0) {
+      unlinkat(folder_, name_.c_str(), 0);
+      constexpr mode_t kReadable = 0666;  // less the umask
+      descriptor_ =
+          openat(folder_, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kReadable);
+    }
     if (descriptor_ < 0) reason_ = errno;
   }
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
   ~Draft() {
-    if (descriptor_ < 0) return;
-    close(descriptor_);
-    unlink(name_.c_str());
+    if (descriptor_ >= 0) {
+      close(descriptor_);
+      unlinkat(folder_, name_.c_str(), 0);
+    }
+    if (folder_ >= 0) close(folder_);
   }
 
   void add(std::string_view piece) {
@@ -67,9 +76,10 @@ class Draft {
     flush();
     if (reason_ == 0 && fsync(descriptor_) != 0 && errno != EINVAL) reason_ = errno;
     if (reason_ != 0) return reason_;
-    if (close(std::exchange(descriptor_, -1)) != 0 || rename(name_.c_str(), file_.c_str()) != 0) {
+    if (close(std::exchange(descriptor_, -1)) != 0 ||
+        renameat(folder_, name_.c_str(), folder_, file_.c_str()) != 0) {
       reason_ = errno;
-      unlink(name_.c_str());
+      unlinkat(folder_, name_.c_str(), 0);
     }
     return reason_;
   }
@@ -87,7 +97,7 @@ class Draft {
   }
 
   std::string file_, name_, buffer_;
-  int descriptor_ = -1, reason_ = 0;
+  int folder_ = -1, descriptor_ = -1, reason_ = 0;
 };
 
 }  // namespace
@@ -105,9 +115,11 @@ void write_whole(const std::filesystem::path& file, const std::function<void(con
   }
 }
 
-void require_own_file(const std::filesystem::path& file) {
+void require_own_file(const std::filesystem::path& file, int descriptor) {
   struct stat found {};
-  if (lstat(file.c_str(), &found) != 0 || (S_ISREG(found.st_mode) && found.st_nlink == 1)) return;
+  const bool is_there =
+      descriptor < 0 ? lstat(file.c_str(), &found) == 0 : fstat(descriptor, &found) == 0;
+  if (!is_there || (S_ISREG(found.st_mode) && found.st_nlink == 1)) return;
   throw UsageError(
       fmt::format("out = {} (must be a regular file with no other name, or missing)", file.string()));
 }

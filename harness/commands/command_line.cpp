@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -50,9 +51,9 @@ int complain(const std::string& line, int code) {
 }
 
 /// Signals as a program finds them that nobody has prepared: a parent may ignore or block what this one waits
-/// for.
+/// for, or what ends it.
 void take_default_signals() {
-  std::signal(SIGCHLD, SIG_DFL);
+  for (const int signal : {SIGCHLD, SIGTERM}) std::signal(signal, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -205,6 +206,8 @@ int run_command_line(int argc, char** argv) {
     return complain(with_hint(error.what()), kBadUsage);
   } catch (const std::filesystem::filesystem_error& error) {
     return complain_of_file(error);
+  } catch (const std::bad_alloc&) {
+    return complain("machine = full (must allow more memory)", kBadUsage);
   } catch (const std::system_error& error) {  // of fmt::print among others
     if (std::ferror(stdout) != 0 || std::ferror(stderr) != 0)
       return complain_of_output(error.code().message());

@@ -12,6 +12,7 @@
 #include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/doctor/calibration.hpp"
+#include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/plan/scene_choice.hpp"
@@ -121,13 +122,19 @@ void describe_run(RunFolder run, bool resume) {
   write_plan(run.path, run.plan);
 }
 
-/// Runs what is missing; prints scene by scene what became of it.
+/// Runs what is missing; prints scene by scene what became of it. \throws UsageError that says how the rest is
+/// run, where the machine is short of something
 SuiteRunResult run_missing(const RunArguments& arguments, const Plan& plan, Runner& runner,
                            RecordStore& store) {
-  if (arguments.verbose) return run_plan(plan, runner, store, arguments.schedule, print_scene);
-  SceneLines lines(plan.scenes.size());
-  return run_plan(plan, runner, store, arguments.schedule,
-                  [&](const std::vector<Record>& records) { lines.add(records); });
+  try {
+    if (arguments.verbose) return run_plan(plan, runner, store, arguments.schedule, print_scene);
+    SceneLines lines(plan.scenes.size());
+    return run_plan(plan, runner, store, arguments.schedule,
+                    [&](const std::vector<Record>& records) { lines.add(records); });
+  } catch (const MachineFull& error) {
+    throw UsageError(fmt::format("{}; the same command with --resume --out {} does the rest", error.what(),
+                                 store.file().parent_path().string()));
+  }
 }
 
 /// Where the results go: of a single scene of one's own into a folder of its name.

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -30,8 +31,8 @@ namespace {
 
 // Short of processes, descriptors or memory: no fault of this program, and nothing to report.
 [[noreturn]] void refuse_surroundings(const char* wanted) {
-  throw UsageError(fmt::format("machine = full (must allow {}: {})", wanted,
-                               std::error_code(errno, std::generic_category()).message()));
+  throw MachineFull(fmt::format("machine = full (must allow {}: {})", wanted,
+                                std::error_code(errno, std::generic_category()).message()));
 }
 
 // Where there are too many processes, some are about to end.
@@ -114,6 +115,12 @@ Pipe make_pipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse_surroundings("another pipe");
   return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+Descriptor make_memory_file() {
+  Descriptor file(memfd_create("log", MFD_CLOEXEC));
+  if (!file.is_open()) refuse_surroundings("another file");
+  return file;
 }
 
 void set_non_blocking(const Descriptor& descriptor) { fcntl(descriptor.number(), F_SETFL, O_NONBLOCK); }

@@ -41,8 +41,11 @@ struct Pipe {
   Descriptor read, write;
 };
 
-/// A pipe that no program inherits. \throws std::system_error
+/// A pipe that no program inherits. \throws MachineFull
 Pipe make_pipe();
+
+/// A file in memory that no program inherits. \throws MachineFull
+Descriptor make_memory_file();
 
 /// Reads and writes of it return at once, with EAGAIN where they would have to wait.
 void set_non_blocking(const Descriptor& descriptor);
@@ -75,7 +78,7 @@ class ChildProcess {
  public:
   /// Forks and calls `body` in the child, whose exit code is 0 once it returns. `body` must not throw.
   /// \param kept  a descriptor that stays open in the child beside the standard streams; -1: none
-  /// \throws std::system_error if no process can be made
+  /// \throws MachineFull if no process can be made
   template <std::invocable Body>
   ChildProcess(const StandardStreams& streams, int kept, const Body& body) {
     if (fork_process(streams, kept) == Side::parent) return;

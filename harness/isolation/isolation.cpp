@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -115,11 +114,11 @@ std::string with_last_words(std::string text, const ChildEnd& end) {
 /// One child process that runs a piece of work under limits and sends lines to its parent.
 class IsolatedChild {
  public:
-  /// Forks. \throws std::system_error
+  /// Forks. \throws MachineFull
   IsolatedChild(const IsolatedWork& work, const IsolationLimits& limits)
       : limits_(limits),
         pipe_(make_pipe()),
-        log_(memfd_create("log", MFD_CLOEXEC)),
+        log_(make_memory_file()),
         process_({.out = log_.number(), .err = log_.number()}, pipe_.write.number(), [&] {
           apply_limits(limits);
           run_work(work, pipe_.write.number());

@@ -64,7 +64,7 @@ using IsolatedWork = std::function<void(const LineSender& send)>;
 
 /// Runs the work in a forked child with its own process group. However the child ends, the group is killed as
 /// a whole, and so are its descendants that left the group; it dies with the parent. The parent must have no
-/// other threads and no other children. \throws std::system_error if no process can be made
+/// other threads and no other children. \throws MachineFull if no process can be made
 ChildEnd run_isolated(const IsolatedWork& work, const IsolationLimits& limits);
 
 /// Called with each end as soon as it is known.

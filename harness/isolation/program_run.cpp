@@ -1,11 +1,15 @@
 #include "harness/isolation/program_run.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
+
+#include "harness/failure.hpp"
 
 namespace signorini {
 
@@ -23,7 +27,11 @@ std::optional<int> run_to_end(std::vector<std::string> words, const std::filesys
   pid_t child = 0;
   const int failure = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) return std::nullopt;
+  if (failure == ENOENT) return std::nullopt;
+  if (failure != 0)
+    throw MachineFull(fmt::format("machine = full (must allow {} to start in {}: {})", words.front(),
+                                  folder.string(),
+                                  std::error_code(failure, std::generic_category()).message()));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -20,6 +20,12 @@ namespace signorini {
 
 namespace {
 
+[[noreturn]] void refuse_file(const char* must, int reason, const std::filesystem::path& file) {
+  throw UsageError(
+      fmt::format("out = {} (must {}: {}; the same command with --resume goes on from here)", file.string(),
+                  must, std::error_code(reason, std::generic_category()).message()));
+}
+
 /// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.
 bool take_lock(int descriptor) {
   constexpr int kTries = 100;
@@ -149,6 +155,7 @@ Descriptor open_to_append(const std::filesystem::path& file) {
     throw UsageError(
         fmt::format("out = {} (must be a folder that can be written)", file.parent_path().string()));
   }
+  require_own_file(file, descriptor.number());
   return descriptor;
 }
 
@@ -158,10 +165,15 @@ void append_line(const Descriptor& descriptor, const std::string& line, const st
   const ssize_t written = write(descriptor.number(), whole.data(), whole.size());
   if (written == static_cast<ssize_t>(whole.size())) return;
   // A write that stops short sets no error: the disk is full, or a limit of file sizes is reached.
-  const std::error_code reason(written < 0 ? errno : ENOSPC, std::generic_category());
-  throw UsageError(
-      fmt::format("out = {} (must have room: {}; the same command with --resume goes on from here)",
-                  file.string(), reason.message()));
+  refuse_file("have room", written < 0 ? errno : ENOSPC, file);
+}
+
+void keep_lines(const Descriptor& descriptor, const std::filesystem::path& file) {
+  if (fsync(descriptor.number()) != 0) refuse_file("keep what is written", errno, file);
+}
+
+void cut_lines(const Descriptor& descriptor, std::uint64_t size, const std::filesystem::path& file) {
+  if (ftruncate(descriptor.number(), static_cast<off_t>(size)) != 0) refuse_file("be cut", errno, file);
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -57,6 +57,12 @@ Descriptor open_to_append(const std::filesystem::path& file);
 /// Appends a line by one write. \throws UsageError if there is no room
 void append_line(const Descriptor& descriptor, const std::string& line, const std::filesystem::path& file);
 
+/// Returns once the disk has what was appended. \throws UsageError if it refuses
+void keep_lines(const Descriptor& descriptor, const std::filesystem::path& file);
+
+/// Leaves the first `size` bytes. \throws UsageError if the disk refuses
+void cut_lines(const Descriptor& descriptor, std::uint64_t size, const std::filesystem::path& file);
+
 /// Makes a folder for results. \throws UsageError if it cannot be made
 void make_folder(const std::filesystem::path& folder);
 

@@ -1,16 +1,13 @@
 #include "harness/run_folder/record_store.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
 #include "harness/failure.hpp"
-#include "harness/files.hpp"
 #include "harness/isolation/freed_at_once.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
@@ -30,15 +27,14 @@ Record parse_line(std::string_view line) {
   return checked_record(json);
 }
 
-/// Cuts off a last line that a kill tore, so that the next record begins a line of its own. Takes the records
-/// that are left; none where there is no file.
-void repair_file(const fs::path& file, const std::function<void(Record)>& take) {
-  require_own_file(file);
-  if (!fs::exists(file)) return;
+/// Opens a file to append to. Cuts off a last line that a kill tore, so that the next record begins a line of
+/// its own; takes the records that are left.
+Descriptor open_repaired(const fs::path& file, const std::function<void(Record)>& take) {
+  Descriptor opened = open_to_append(file);
   const std::uint64_t whole =
       for_each_record(file, [&](Record record, const LinePlace&) { take(std::move(record)); });
-  std::error_code ignored;  // of a folder that cannot be written opening complains next
-  fs::resize_file(file, whole, ignored);
+  cut_lines(opened, whole, file);
+  return opened;
 }
 
 std::string line_of(const Record& record) { return json_line(to_json(record)); }
@@ -79,12 +75,10 @@ RecordStore::RecordStore(const fs::path& folder, bool resume)
   lock_ = lock_folder(folder);
   if (fs::exists(file_) && !resume) fs::rename(file_, folder / "records.previous.jsonl", failure);
   if (!resume) fs::remove(unfinished_file_, failure);
-  repair_file(file_, [&](const Record& record) { keys_.insert(record.key); });
-  repair_file(unfinished_file_, [&](Record record) {
+  records_ = open_repaired(file_, [&](const Record& record) { keys_.insert(record.key); });
+  kept_ = open_repaired(unfinished_file_, [&](Record record) {
     if (!contains(record.key)) unfinished_.insert_or_assign(record.key, std::move(record));
   });
-  records_ = open_to_append(file_);
-  kept_ = open_to_append(unfinished_file_);
 }
 
 RecordStore::~RecordStore() {
@@ -95,7 +89,7 @@ RecordStore::~RecordStore() {
 void RecordStore::append(const Record& record) {
   if (!keys_.insert(record.key).second) return;
   append_line(records_, line_of(record), file_);
-  if (fsync(records_.number()) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
+  keep_lines(records_, file_);
   std::erase_if(unfinished_, [&](const auto& kept) { return kept.second.case_id == record.case_id; });
 }
 
@@ -109,8 +103,7 @@ std::optional<Record> RecordStore::unfinished(const std::string& key) const {
 }
 
 void RecordStore::clear_unfinished() {
-  if (ftruncate(kept_.number(), 0) != 0)
-    throw std::system_error(errno, std::generic_category(), unfinished_file_.string());
+  cut_lines(kept_, 0, unfinished_file_);
   for (const auto& [key, record] : unfinished_) append_line(kept_, line_of(record), unfinished_file_);
 }
 

@@ -62,7 +62,7 @@ class RecordStore {
 
   [[nodiscard]] bool contains(const std::string& key) const { return keys_.contains(key); }
   /// Appends by one write and fsync; a key that is there already is not written again.
-  /// \throws UsageError if there is no room, std::system_error if the disk refuses otherwise
+  /// \throws UsageError if there is no room, or the disk refuses otherwise
   void append(const Record& record);
 
   /// Keeps what is known of a case whose rounds are not complete, for a run that resumes this one.
@@ -71,7 +71,7 @@ class RecordStore {
   /// What was kept of a case and is not complete; empty if nothing was.
   [[nodiscard]] std::optional<Record> unfinished(const std::string& key) const;
   /// Forgets what was kept of this run's cases, whose records are complete; of cases that it does not run the
-  /// rounds stay for a run that does. \throws std::system_error if the disk refuses
+  /// rounds stay for a run that does. \throws UsageError if the disk refuses
   void clear_unfinished();
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }

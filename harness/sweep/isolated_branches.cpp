@@ -14,6 +14,7 @@
 #include "harness/failure.hpp"
 #include "harness/isolation/isolation.hpp"
 #include "harness/plan/deadline.hpp"
+#include "harness/records/json_fields.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/run/applicability.hpp"
 #include "harness/sweep/branch_json.hpp"
@@ -54,8 +55,7 @@ class Received {
   void line(const std::string& text) {
     const Json json = parse_json(text);
     if (json.contains("points")) {
-      diagram_.branches.push_back(branch_from_json(json));
-      if (take_) take_(diagram_.branches.back());
+      take_branch(json);
     } else if (json.contains("refused")) {
       refused_ = json.at("refused").get<std::string>();
     } else {
@@ -68,16 +68,28 @@ class Received {
   IsolatedBranches all(const std::string& method, const ChildEnd& end) {
     if (!refused_.empty()) throw UsageError(refused_);
     IsolatedBranches result{.diagram = std::move(diagram_)};
-    if (end.kind == ChildEnd::Kind::finished || end.kind == ChildEnd::Kind::interrupted) return result;
-    result.failure = as_message(fmt::format("{}: {}", method, describe(end)));
+    const bool whole = end.kind == ChildEnd::Kind::finished || end.kind == ChildEnd::Kind::interrupted;
+    if (whole && bad_branch_.empty()) return result;
+    result.failure = as_message(fmt::format("{}: {}", method, whole ? bad_branch_ : describe(end)));
     result.diagram.unfinished = result.failure;
     return result;
   }
 
  private:
+  /// One that is none is left out: a method may say anything.
+  void take_branch(const Json& json) {
+    try {
+      diagram_.branches.push_back(branch_from_json(json));
+    } catch (const BadRecord& error) {
+      bad_branch_ = fmt::format("invalid branch: {}", error.what());
+      return;
+    }
+    if (take_) take_(diagram_.branches.back());
+  }
+
   const TakeBranch& take_;
   BranchDiagram diagram_;
-  std::string refused_;
+  std::string refused_, bad_branch_;
 };
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "harness/sweep/response_folder.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -145,7 +143,7 @@ void ResponseFolder::finish(const MethodResponse& response, const std::string& k
                     {"unfinished", diagram.unfinished},
                     {"notes", diagram.notes}}}};
   append_line(lines_, json_line(line), file_);
-  if (fsync(lines_.number()) != 0) throw std::system_error(errno, std::generic_category(), file_.string());
+  keep_lines(lines_, file_);
 }
 
 }  // namespace signorini

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 from pathlib import Path
@@ -19,10 +20,18 @@ def require_name(name: str) -> None:
 
 
 def write_whole(file: Path, text: str, encoding: str = "utf-8") -> None:
-    """In one piece: a reader sees the old text or the new. A link of that name is replaced, and what it leads to is left alone."""
-    draft = file.with_name(file.name + ".new")
-    draft.unlink(missing_ok=True)
-    descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o666)
-    with os.fdopen(descriptor, "w", encoding=encoding) as stream:
-        stream.write(text)
-    os.replace(draft, file)
+    """In one piece: a reader sees the old text or the new. A link of that name is replaced, and what it leads to is left alone.
+    The folder is looked up once: one that is exchanged meanwhile gets nothing."""
+    draft = file.name + ".new"
+    folder = os.open(file.parent, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(draft, dir_fd=folder)
+        descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o666, dir_fd=folder)
+        with os.fdopen(descriptor, "w", encoding=encoding) as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+        os.replace(draft, file.name, src_dir_fd=folder, dst_dir_fd=folder)
+    finally:
+        os.close(folder)

@@ -13,13 +13,17 @@
 namespace signorini::isolated_branches_test {
 namespace {
 
-/// A method that hands over one branch, then ends its process; or does not apply.
+enum class Flaw { crash, no_order, never_applies };
+
+/// A method that hands over one branch, then ends its process or hands over one that is none; or does not
+/// apply.
 class LateFailure final : public Method, public CurveMethod {
  public:
-  explicit LateFailure(bool applies) : applies_(applies) {}
+  explicit LateFailure(Flaw flaw) : flaw_(flaw) {}
   [[nodiscard]] std::vector<OptionEcho> options() const override { return {}; }
   [[nodiscard]] Support supports(const Problem& /*problem*/) const override {
-    return {.ok = applies_, .reason = applies_ ? "" : "it never does"};
+    const bool applies = flaw_ != Flaw::never_applies;
+    return {.ok = applies, .reason = applies ? "" : "it never does"};
   }
   [[nodiscard]] RepresentedLaw law(const Problem& /*problem*/) const override { return Restitution{1.0}; }
   [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Problem& /*problem*/) const override {
@@ -35,18 +39,20 @@ class LateFailure final : public Method, public CurveMethod {
     for (const double frequency : {scene.from, scene.to})
       branch.points.push_back({.parameter = frequency, .frequency = frequency, .amplitude = {1.0}});
     limits.take(branch);
-    std::raise(SIGSEGV);
+    if (flaw_ == Flaw::crash) std::raise(SIGSEGV);
+    branch.points.front().order = 0;
+    limits.take(branch);
     return {};
   }
 
  private:
-  bool applies_;
+  Flaw flaw_;
 };
 
-MethodEntry late_failure(bool applies) {
+MethodEntry late_failure(Flaw flaw) {
   MethodEntry entry;
   entry.name = "late-failure";
-  entry.make = [applies](std::span<const OptionSetting>) { return std::make_unique<LateFailure>(applies); };
+  entry.make = [flaw](std::span<const OptionSetting>) { return std::make_unique<LateFailure>(flaw); };
   return entry;
 }
 
@@ -68,16 +74,23 @@ TEST(IsolatedBranches, AreThoseOfTheMethod) {
 }
 
 TEST(IsolatedBranches, OfAMethodThatCrashesAreThoseThatHadArrived) {
-  const MethodEntry entry = late_failure(true);
+  const MethodEntry entry = late_failure(Flaw::crash);
   const IsolatedBranches found = isolated_branches(scene_of(), {&entry}, {}).value();
   EXPECT_EQ(found.diagram.branches.size(), 1U);
   EXPECT_TRUE(found.failure.starts_with("late-failure: signal 11")) << found.failure;
   EXPECT_EQ(found.diagram.unfinished, found.failure);
 }
 
+TEST(IsolatedBranches, LeaveOutOneThatIsNone) {
+  const MethodEntry entry = late_failure(Flaw::no_order);
+  const IsolatedBranches found = isolated_branches(scene_of(), {&entry}, {}).value();
+  EXPECT_EQ(found.diagram.branches.size(), 1U);
+  EXPECT_TRUE(found.failure.starts_with("late-failure: invalid branch: order = 0")) << found.failure;
+}
+
 TEST(IsolatedBranches, AreNoneWithoutACurveAndRefusedWhereTheMethodDoesNotApply) {
   EXPECT_FALSE(isolated_branches(scene_of(), {&find_method("event-driven")}, {}).has_value());
-  const MethodEntry entry = late_failure(false);
+  const MethodEntry entry = late_failure(Flaw::never_applies);
   EXPECT_THROW(static_cast<void>(isolated_branches(scene_of(), {&entry}, {})), UsageError);
 }
 
