@@ -1,20 +1,28 @@
 #include "harness/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace signorini {
 
 namespace {
 
-/// A line that is longer wraps, and a carriage return goes back to the beginning of its last part only.
-constexpr std::size_t kLineWidth = 79;
+/// A line that is longer than the terminal is wide wraps, and a carriage return goes back to the beginning of
+/// its last part only.
+std::size_t line_width() {
+  winsize size{};
+  const bool told = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return told ? std::min<std::size_t>(kLineWidth, size.ws_col - 1U) : kLineWidth;
+}
+
 constexpr std::string_view kClearLine = "\r\033[K";
 
 /// Nothing depends on its arrival.
@@ -50,18 +58,22 @@ void Progress::clear() const {
 void Progress::begin(const std::string& what) {
   if (!visible_) return;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  fmt::print(stderr, "{}{}", kClearLine, progress_line(done_, total_, elapsed, what).substr(0, kLineWidth));
+  fmt::print(stderr, "{}{}", kClearLine, progress_line(done_, total_, elapsed, what).substr(0, line_width()));
   std::fflush(stderr);
 }
 
-std::string waiting_line(const std::string& what, std::chrono::seconds elapsed) {
+std::string waiting_line(const std::string& what, std::chrono::seconds elapsed, std::size_t width) {
   const auto seconds = elapsed.count();
   const std::string clock = fmt::format(" {}:{:02}", seconds / 60, seconds % 60);
-  return what.substr(0, kLineWidth - std::min(kLineWidth, clock.size())) + clock;
+  return what.substr(0, width - std::min(width, clock.size())) + clock;
 }
 
 Waiting::Waiting(std::string what) : what_(std::move(what)) {
-  if (isatty(STDERR_FILENO) == 1) teller_ = std::thread([this] { tell(); });
+  if (isatty(STDERR_FILENO) != 1) return;
+  try {
+    teller_ = std::thread([this] { tell(); });
+  } catch (const std::system_error&) {  // the machine allows no further thread: nobody is told
+  }
 }
 
 Waiting::~Waiting() {
@@ -81,7 +93,7 @@ void Waiting::tell() {
   bool told = false;
   for (auto next = start + 500ms; !ended_.wait_until(lock, next, [this] { return done_; }); told = true) {
     const auto elapsed = std::chrono::round<std::chrono::seconds>(next - start);
-    write_to_terminal(std::string(kClearLine) + waiting_line(what_, elapsed));
+    write_to_terminal(std::string(kClearLine) + waiting_line(what_, elapsed, line_width()));
     next = start + elapsed + 1s;
   }
   if (told) write_to_terminal(kClearLine);

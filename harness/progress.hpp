@@ -53,8 +53,12 @@ class Waiting {
   std::thread teller_;
 };
 
-/// "solving 1:05", cut to the width of a terminal.
-std::string waiting_line(const std::string& what, std::chrono::seconds elapsed);
+/// Width of a line on a terminal that does not tell its own [characters].
+inline constexpr std::size_t kLineWidth = 79;
+
+/// "solving 1:05", cut to so many characters.
+std::string waiting_line(const std::string& what, std::chrono::seconds elapsed,
+                         std::size_t width = kLineWidth);
 
 /// "[12/240] 5 % ETA 1:23 what", the rest assumed to take as long per case as what is done; no ETA before
 /// anything is done.

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Attacks the built program as a stranger, an accident or a full disk would; counts what it promised and did not keep.
 
-usage: attack.py PROGRAM [--share quick|hour] [--seed N] [--only GLOB] [--jobs N] [--sanitized] [--table FILE]
-                 [--record FILE] [--findings FOLDER]
+usage: attack.py PROGRAM [--share quick|hour] [--tests N] [--seed N] [--only GLOB] [--jobs N] [--sanitized] [--if-built]
+                 [--table FILE] [--record FILE] [--findings FOLDER]
 
-Prints one line per campaign, and each violation with what brings it about; exit code 1 if there is one. The same seed
-makes the same inputs. With --table the lines become a page, results/attack.md, which what fuzz.py recorded in
+Prints one line per campaign, and each violation with what brings it about; exit code 1 if there is one, 77 where the program is
+not there with --if-built. The same seed makes the same inputs. With --table the lines become a page, results/attack.md, which what fuzz.py recorded in
 results/fuzz.json joins. An hour may be interrupted: --record keeps each campaign as it ends, with the program it was run
 on, and those it holds of the same share and seed without a violation are not run again.
 """
@@ -31,10 +31,12 @@ import method_attacks
 import reproductions
 import run_attacks
 import solve_attacks
+import surroundings
 from attack_page import page_of
 from attacked_program import Campaign, Program
 
 FUZZED = pathlib.Path(__file__).resolve().parents[2] / "results/fuzz.json"
+SKIPPED = 77
 # How many tests of each campaign make some seconds, and how many an hour with sanitizers on two cores.
 CAMPAIGNS = {
     "scenes": (file_attacks.scenes, 60, 1500),
@@ -61,6 +63,7 @@ CAMPAIGNS = {
     "documented": (documented.pairs, 40, 1000),
     "crashed": (documented.crashed, 10, 10),
     "traps": (documented.traps, 40, 500),
+    "surroundings": (surroundings.surroundings, 12, 200),
     "load": (load.campaign_of, 40, 1000),
 }
 
@@ -69,10 +72,12 @@ def parsed():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("--share", choices=["quick", "hour"], default="quick")
+    parser.add_argument("--tests", type=int, help="so many of each campaign, in place of the share's")
     parser.add_argument("--seed", type=int, default=20261123)
     parser.add_argument("--only", default="*", help="campaigns by glob")
     parser.add_argument("--jobs", type=int, default=1, help="campaigns at the same time")
     parser.add_argument("--sanitized", action="store_true", help="the program is built with sanitizers: slower, larger")
+    parser.add_argument("--if-built", action="store_true", help="skip it where the program has not been built")
     parser.add_argument("--table", type=pathlib.Path)
     parser.add_argument("--record", type=pathlib.Path, help="campaigns that have ended, as JSON; the table is of all")
     parser.add_argument("--findings", type=pathlib.Path, help="folder for the inputs of violations")
@@ -85,7 +90,8 @@ def version_of(program):
 
 def kind_of(arguments):
     """What campaigns on record must have in common to make one table."""
-    return f"{arguments.share}, seed {arguments.seed}" + (", sanitized" if arguments.sanitized else "")
+    share = arguments.share if arguments.tests is None else f"{arguments.tests} tests"
+    return f"{share}, seed {arguments.seed}" + (", sanitized" if arguments.sanitized else "")
 
 
 def recorded(arguments, name):
@@ -119,7 +125,7 @@ def run_campaign(arguments, name):
     if kept := recorded(arguments, name):
         return kept
     program = Program(arguments.program, arguments.sanitized)
-    count = quick if arguments.share == "quick" else hour
+    count = arguments.tests or (quick if arguments.share == "quick" else hour)
     campaigns, began = [], time.monotonic()
     with tempfile.TemporaryDirectory(prefix=f"attack-{name}-") as folder:
         source = random.Random(f"{arguments.seed} {name}")
@@ -155,6 +161,9 @@ def tell(campaign):
 
 def main():
     arguments = parsed()
+    if arguments.if_built and not os.access(arguments.program, os.X_OK):
+        print(f"skipped: {arguments.program} is not built")
+        return SKIPPED
     print(f"seed {arguments.seed}, share {arguments.share}", flush=True)
     campaigns = []
     for campaign in run_campaigns(arguments):

@@ -28,6 +28,8 @@ TEST(WaitingLine, EndsWithTheTimePassedAndFitsATerminal) {
   const std::string longest = waiting_line(std::string(200, 'x'), seconds(60));
   EXPECT_EQ(longest.size(), 79U);
   EXPECT_TRUE(longest.ends_with("x 1:00"));
+  EXPECT_EQ(waiting_line("solving by hand", seconds(5), 12), "solving 0:05");
+  EXPECT_EQ(waiting_line("solving", seconds(5), 2), " 0:05") << "the time in any case";
 }
 
 /// stderr on a pseudo-terminal (pty(7)), or on what it was before.
