@@ -24,6 +24,12 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   throw UsageError(fmt::format("methods = {} ({})", text, requirement));
 }
 
+/// \throws UsageError for a few words that stand for more than a run ever solves
+void require_few(std::size_t sets, std::string_view text) {
+  constexpr std::size_t kMost = 10000;
+  if (sets > kMost) refuse_selection(text, fmt::format("must be at most {} settings of methods", kMost));
+}
+
 constexpr std::string_view kForm = "must look like name[key=value,key=value|value]";
 
 struct Piece {
@@ -100,6 +106,7 @@ std::vector<Settings> expand_settings(std::string_view text) {
     }
     std::vector<Settings> longer;
     const std::vector<std::string_view> alternatives = parts_of(item.substr(equals + 1), '|');
+    require_few(sets.size() * alternatives.size(), text);
     for (const Settings& set : sets) {
       for (const std::string_view value : alternatives) {
         if (value.empty()) refuse_selection(text, kForm);
@@ -125,8 +132,10 @@ std::vector<MethodChoice> select_methods(std::string_view filter, std::span<cons
                                          std::span<const MethodChoice> prescribed) {
   const GlobPieces pieces = split_globs(filter);
   std::vector<Piece> positive;
+  std::size_t sets = 0;
   for (const std::string& text : pieces.positive) {
     positive.push_back(parse_piece(text));
+    require_few(sets += positive.back().settings.size(), filter);
     const auto matches = [&](const MethodEntry& entry) {
       return glob_match(positive.back().glob, entry.name);
     };

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "harness/files.hpp"
+#include "methods/deadline.hpp"
 #include "tests/attack/untrusted_readers.hpp"
 
 namespace signorini::test::corpus_test {
@@ -19,7 +22,7 @@ void PrintTo(const UntrustedReader& reader, std::ostream* stream) { *stream << r
 namespace {
 
 constexpr unsigned kSeed = 20261123;
-constexpr int kDamagedCopies = 2000;         // per reader
+constexpr int kDamagedCopies = 2000;         // per reader, at least
 constexpr std::size_t kLongestInput = 4096;  // of what is damaged [bytes]
 
 std::vector<std::string> corpus_of(const UntrustedReader& reader) {
@@ -116,12 +119,21 @@ TEST_P(Corpus, IsReadAsPromised) {
   EXPECT_GT(refused, 0U);
 }
 
+/// For so many seconds of the processor, as $SIGNORINI_FUZZ_SECONDS asks.
+Deadline end_of_damage() {
+  const char* const seconds = std::getenv("SIGNORINI_FUZZ_SECONDS");
+  return Deadline::after(seconds == nullptr ? 0.0 : std::strtod(seconds, nullptr));
+}
+
 TEST_P(Corpus, DamagedIsReadAsPromised) {
   Damage damage(corpus_of(GetParam()));
-  for (int i = 0; i < kDamagedCopies; ++i) {
+  const Deadline end = end_of_damage();
+  int copies = 0;
+  for (; copies < kDamagedCopies || !end.passed(); ++copies) {
     const std::string text = damage.next();
-    EXPECT_NO_THROW(GetParam().attack(text)) << "seed " << kSeed << ", copy " << i << ":\n" << text;
+    ASSERT_NO_THROW(GetParam().attack(text)) << "seed " << kSeed << ", copy " << copies << ":\n" << text;
   }
+  std::cout << GetParam().name << ": " << copies << " damaged copies\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Corpus,

@@ -7,14 +7,20 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "harness/extend/plugins/command_method.hpp"
+#include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/judge/measures/measures.hpp"
 #include "harness/pack/archive.hpp"
+#include "harness/pack/run_pack.hpp"
+#include "harness/plan/plan.hpp"
 #include "harness/records/line_file.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
@@ -23,8 +29,11 @@
 #include "harness/report/sections/sections.hpp"
 #include "harness/run/trial.hpp"
 #include "harness/run_folder/record_store.hpp"
+#include "harness/run_folder/run_folder.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "harness/sweep/branch_response.hpp"
+#include "methods/catalogue.hpp"
+#include "methods/options.hpp"
 #include "problems/assembly/solid.hpp"
 #include "problems/files/gmsh_mesh.hpp"
 #include "problems/files/matrices/matrix_file.hpp"
@@ -298,13 +307,68 @@ bool attack_archive(std::string_view text) {
   }
 }
 
+/// Manifest, plan and records, one behind the other, as the files of a pack.
+std::string pack_of(std::string_view text) {
+  constexpr char kBetween = '\x1e';  // the separator of records, of ASCII
+  std::vector<ArchivedFile> files{{.name = "SHA256SUMS"}};
+  for (const char* name : {"manifest.json", "plan.txt", "records.jsonl"}) {
+    const std::size_t end = std::min(text.find(kBetween), text.size());
+    files.push_back({.name = name, .text = std::string(text.substr(0, end))});
+    files.front().text += sha256(files.back().text) + "  " + name + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return gzipped(write_tar(files));
+}
+
+/// The pack of what is in a pack.
+std::string packed_again(const std::string& pack) {
+  const MemoryFile file(pack);
+  const OpenedRun opened(file.path());
+  return pack_run(read_run(opened.folder()));
+}
+
+bool attack_pack(std::string_view text) {
+  // It is unpacked into files, thousands of times: in memory, where the machine has such a place.
+  static const bool in_memory = access("/dev/shm", W_OK) == 0 && setenv("TMPDIR", "/dev/shm", 1) == 0;
+  static_cast<void>(in_memory);
+  try {
+    const std::string once = packed_again(pack_of(text));
+    require(packed_again(once) == once, "a pack that is packed again is the same");
+    return true;
+  } catch (const UsageError& refusal) {
+    require_one_line(refusal.what());
+    return false;
+  }
+}
+
+bool attack_options(std::string_view text) {
+  try {
+    for (const MethodChoice& choice : select_methods(text, method_catalogue())) {
+      for (const OptionEcho& option : choice.options())
+        if (const auto* number = std::get_if<double>(&option.value))
+          require(!std::isnan(*number), "the value of an option is a number");
+      if (choice.settings.empty()) continue;
+      const std::vector<MethodChoice> again = select_methods(choice.label(), method_catalogue());
+      require(again.size() == 1 && again.front().settings == choice.settings, "a label names its settings");
+    }
+    return true;
+    // Each quotes what it was given, which the command line prints in one line.
+  } catch (const InvalidOption&) {
+  } catch (const NothingMatched&) {
+  } catch (const UsageError&) {
+  }
+  return false;
+}
+
 constexpr std::array kReaders{UntrustedReader{.name = "scene", .attack = attack_scene},
                               UntrustedReader{.name = "matrix", .attack = attack_matrix},
                               UntrustedReader{.name = "mesh", .attack = attack_mesh},
                               UntrustedReader{.name = "records", .attack = attack_records},
                               UntrustedReader{.name = "branches", .attack = attack_branches},
                               UntrustedReader{.name = "answer", .attack = attack_answer},
-                              UntrustedReader{.name = "archive", .attack = attack_archive}};
+                              UntrustedReader{.name = "archive", .attack = attack_archive},
+                              UntrustedReader{.name = "pack", .attack = attack_pack},
+                              UntrustedReader{.name = "options", .attack = attack_options}};
 
 }  // namespace
 

@@ -28,6 +28,8 @@ struct UntrustedReader {
 /// - branches: lines of branches and steps as sweep keeps them, and the table of them
 /// - answer: what a command prints, and the motion and the measures that the harness takes from it
 /// - archive: a tar archive, as it is in a pack
+/// - pack: manifest, plan and records of a pack, from which it is packed again
+/// - options: methods by name with their options, as --methods and suites have them
 std::span<const UntrustedReader> untrusted_readers();
 
 /// The reader of that name. \throws std::out_of_range

@@ -3,7 +3,7 @@
 
 usage: fuzz.py FOLDER [--seconds N] [--only NAME] [--record FILE] [--minimise]
 
-FOLDER holds the programs fuzz_scene, fuzz_matrix, fuzz_mesh, fuzz_records, fuzz_branches, fuzz_answer and fuzz_archive (build/fuzz/tests/attack).
+FOLDER holds the programs fuzz_scene, fuzz_matrix and so on, one of each reader (build/fuzz/tests/attack).
 Inputs that broke a promise are kept in FOLDER/findings, what reached new code in FOLDER/found. The record, results/fuzz.json
 unless told, has one entry for each fuzzer and program, from which attack.py makes its table. Each fuzzer runs for so many
 seconds of processor time, an hour unless told, which are added to the record every ten minutes at most. Several may run at
@@ -27,7 +27,7 @@ ATTACK = pathlib.Path(__file__).resolve().parents[1]
 TREE = ATTACK.parents[1]
 # What else a fuzzer begins with.
 SEEDS = {"scene": ["problems/families"], "matrix": ["problems/catalogue/matrices-cantilever"],
-         "mesh": [], "records": [], "answer": [], "branches": [], "archive": []}
+         "mesh": [], "records": [], "answer": [], "branches": [], "archive": [], "pack": [], "options": []}
 LONGEST = 8192  # of an input [bytes]
 SECONDS, MEMORY_MB = 25, 4096  # of one input, with sanitizers
 MOST_FILES = 24  # of a corpus in the tree

@@ -44,6 +44,17 @@ TEST(ExpandSettings, RefusesWhatIsNoSetting) {
   }
 }
 
+TEST(ExpandSettings, RefusesMoreThanARunEverSolves) {
+  std::string text = "a=1|2|3|4|5|6|7|8|9|10";
+  for (const char* key : {"b", "c", "d"}) text += std::string(",") + key + text.substr(1, 21);
+  EXPECT_EQ(expand_settings(text).size(), 10000U);
+  EXPECT_THROW(expand_settings(text + ",e=1|2"), UsageError);
+  const std::string piece = "fake-method[level=1|2|3|4|5]";
+  std::string filter = piece;
+  for (int i = 0; i < 2000; ++i) filter += ":" + piece;
+  EXPECT_THROW(select_methods(filter, test::fake_catalogue()), UsageError);
+}
+
 TEST(MethodChoice, KeepsItsStartFromTheMethod) {
   const auto choices = select_methods("fake-method[level=2,start=0|0.5]", test::fake_catalogue());
   ASSERT_EQ(choices.size(), 2U);
