@@ -1,5 +1,9 @@
 #include "harness/run/round_messages.hpp"
 
+#include <fmt/format.h>
+
+#include <exception>
+#include <span>
 #include <vector>
 
 #include "harness/judge/certificate.hpp"
@@ -45,6 +49,20 @@ void take_late_end(const ReceivedRound& lines, const ChildEnd& end, Record& reco
   record.message = work_after(last) + record.message;
 }
 
+/// `blank` with what the lines say. A method that writes into its process's pipe costs its own case alone.
+Record record_of(const Record& blank, std::span<const std::string> lines) {
+  try {
+    Json json = to_json(blank);
+    for (const std::string& line : lines) json.update(parse_json(line));
+    return record_from_json(json);
+  } catch (const std::exception& error) {  // a BadRecord, or of JSON
+    Record record = blank;
+    record.status = Status::invalid_output;
+    record.message = as_message(fmt::format("its process sent no record: {}", error.what()));
+    return record;
+  }
+}
+
 }  // namespace
 
 FirstRoundSender::FirstRoundSender(const LineSender& send, const Record& blank)
@@ -70,9 +88,7 @@ void FirstRoundSender::fill() {
 }
 
 Record record_of_answer(const Record& blank, const std::string& line) {
-  Json json = to_json(blank);
-  json.update(parse_json(line));
-  return record_from_json(json);
+  return record_of(blank, {&line, 1});
 }
 
 Record received_first_round(const Record& blank, const ReceivedRound& lines, const ChildEnd& end) {
@@ -80,9 +96,7 @@ Record received_first_round(const Record& blank, const ReceivedRound& lines, con
   if (lines.empty()) {
     take_failure(end, record);
   } else {
-    Json json = to_json(blank);
-    for (const std::string& line : lines) json.update(parse_json(line));
-    record = record_from_json(json);
+    record = record_of(blank, lines);
     take_late_end(lines, end, record);
     apply_verdict(record);
   }
@@ -102,7 +116,7 @@ void send_later_round(const RepeatedSolve& repeat, const LineSender& send) {
 
 void take_later_round(const ChildEnd& end, Record& record) {
   record.elapsed = record.elapsed.value_or(0.0) + end.seconds;
-  const Json json = end.lines.empty() ? Json::object() : parse_json(end.lines.back());
+  const Json json = end.lines.empty() ? Json::object() : try_parse_json(end.lines.back());
   if (json.contains("setup")) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
     rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});

@@ -47,6 +47,16 @@ ChildEnd send_stages(const Record& blank, const Last& last, int stages = 4) {
       {.stage_seconds = {5.0}});
 }
 
+TEST(FirstRound, IsInvalidOutputWhereItsLinesAreNoRecord) {
+  for (const char* line : {"a library's own words", "3", R"({"schema":2})", R"({"elapsed":"late"})"}) {
+    const ChildEnd end =
+        run_isolated([line](const LineSender& send) { send(line); }, {.stage_seconds = {5.0}});
+    const Record record = received(end);
+    EXPECT_EQ(record.status, Status::invalid_output) << line;
+    EXPECT_TRUE(record.message.starts_with("its process sent no record: ")) << record.message;
+  }
+}
+
 TEST(FirstRound, ArrivesWholeThoughEachStageSendsOnlyWhatItAdds) {
   const Record blank = blank_record();
   const ChildEnd end = send_stages(blank, [] {});
