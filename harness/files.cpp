@@ -43,8 +43,7 @@ namespace {
 /// that is exchanged meanwhile gets nothing.
 class Draft {
  public:
-  explicit Draft(const std::filesystem::path& file)
-      : file_(file.filename().string()), name_(file_ + ".new") {
+  explicit Draft(const std::filesystem::path& file) : file_(file.filename().string()), name_(file_ + ".new") {
     const std::filesystem::path parent = file.has_parent_path() ? file.parent_path() : ".";
     folder_ = open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
     if (folder_ >= 0) {
@@ -117,8 +116,7 @@ void write_whole(const std::filesystem::path& file, const std::function<void(con
 
 void require_own_file(const std::filesystem::path& file, int descriptor) {
   struct stat found {};
-  const bool is_there =
-      descriptor < 0 ? lstat(file.c_str(), &found) == 0 : fstat(descriptor, &found) == 0;
+  const bool is_there = descriptor < 0 ? lstat(file.c_str(), &found) == 0 : fstat(descriptor, &found) == 0;
   if (!is_there || (S_ISREG(found.st_mode) && found.st_nlink == 1)) return;
   throw UsageError(
       fmt::format("out = {} (must be a regular file with no other name, or missing)", file.string()));

@@ -32,8 +32,8 @@ void write_whole(const std::filesystem::path& file, const std::function<void(con
 
 /// For a file that is to be changed where it stands. \throws UsageError where its name is that of a link, a
 /// pipe, a device or a folder, or one of several names of a file: of a folder from somebody else that may be
-/// any file of the user. \param descriptor  the file as it was opened, which its name may have left since; -1:
-/// it is not open yet
+/// any file of the user. \param descriptor  the file as it was opened, which its name may have left since;
+/// -1: it is not open yet
 void require_own_file(const std::filesystem::path& file, int descriptor = -1);
 
 /// A folder in a folder, made with those above it where they are missing. \throws UsageError where its name

@@ -122,8 +122,8 @@ void describe_run(RunFolder run, bool resume) {
   write_plan(run.path, run.plan);
 }
 
-/// Runs what is missing; prints scene by scene what became of it. \throws UsageError that says how the rest is
-/// run, where the machine is short of something
+/// Runs what is missing; prints scene by scene what became of it. \throws UsageError that says how the rest
+/// is run, where the machine is short of something
 SuiteRunResult run_missing(const RunArguments& arguments, const Plan& plan, Runner& runner,
                            RecordStore& store) {
   try {

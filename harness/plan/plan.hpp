@@ -42,7 +42,8 @@ inline constexpr std::string_view kStartSetting = "start";
 
 /// The cross product of the alternatives, the last key varying fastest:
 /// "a=1,b=2|3" -> {a=1,b=2}, {a=1,b=3}. Empty text gives one empty set.
-/// \throws UsageError unless every item reads key=value[|value...], each key once, and for more than 10,000 sets
+/// \throws UsageError unless every item reads key=value[|value...], each key once, and for more than 10,000
+/// sets
 std::vector<Settings> expand_settings(std::string_view text);
 
 /// The settings that a method's own ladder prescribes.

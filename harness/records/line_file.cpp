@@ -21,9 +21,9 @@ namespace signorini {
 namespace {
 
 [[noreturn]] void refuse_file(const char* must, int reason, const std::filesystem::path& file) {
-  throw UsageError(
-      fmt::format("out = {} (must {}: {}; the same command with --resume goes on from here)", file.string(),
-                  must, std::error_code(reason, std::generic_category()).message()));
+  throw UsageError(fmt::format("out = {} (must {}: {}; the same command with --resume goes on from here)",
+                               file.string(), must,
+                               std::error_code(reason, std::generic_category()).message()));
 }
 
 /// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.

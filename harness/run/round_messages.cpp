@@ -87,9 +87,7 @@ void FirstRoundSender::fill() {
   for (; sent_ < kStages; ++sent_) send_(json_line(Json::object()));
 }
 
-Record record_of_answer(const Record& blank, const std::string& line) {
-  return record_of(blank, {&line, 1});
-}
+Record record_of_answer(const Record& blank, const std::string& line) { return record_of(blank, {&line, 1}); }
 
 Record received_first_round(const Record& blank, const ReceivedRound& lines, const ChildEnd& end) {
   Record record = blank;
