@@ -49,7 +49,7 @@ class ResponseFolder {
   /// Appends a step of a method. \throws UsageError if there is no room
   void add(const MethodResponse& of, const SweepPoint& step);
   /// Marks a response as complete, all of whose branches or steps were added. \throws UsageError if there is
-  /// no room, std::system_error if the disk refuses otherwise
+  /// no room, or the disk refuses otherwise
   void finish(const MethodResponse& response, const std::string& key);
 
  private:

@@ -54,6 +54,7 @@ SURROUNDINGS = {
     "all three are closed": (closed("<&-", ">&-", "2>&-"), (0,)),
     "every signal is ignored and blocked": (DEAF, (0,)),
     "16 descriptors": (("prlimit", "--nofile=16:16"), (0,)),
+    "8 descriptors": (("prlimit", "--nofile=8:8"), (0, 2)),
     "6 descriptors": (("prlimit", "--nofile=6:6"), (0, 2)),
     "4 descriptors": (("prlimit", "--nofile=4:4"), (0, 2)),
     "no HOME": (("env", "-u", "HOME"), (0,)),
@@ -98,7 +99,7 @@ def surroundings(program, random, count, folder, findings):
         if name == "a clock that jumps":
             before = ("env", f"LD_PRELOAD={jumping_clock(program)}")
         outcome = campaign.count(program.run(command, folder, 60.0, before))
-        found = program.violations(outcome, codes)
+        found = broken(program, outcome, codes, command)
         if name == "a decimal comma" and command == CURVE and outcome.out != plain:
             found.append("other numbers")
         campaign.judge(found, f"{name}: {' '.join(command)}")
@@ -109,6 +110,17 @@ def surroundings(program, random, count, folder, findings):
     for command in random.sample(LONG, min(len(LONG), max(1, count // 10))):
         campaign.judge(list(ends_when_asked(program, campaign, command, folder)), f"TERM to a deaf {' '.join(command)}")
     yield campaign
+
+
+def broken(program, outcome, codes, command):
+    """What it did not keep; a run has told what it is about to do before it stops, and then says how it goes on."""
+    found = program.violations(outcome, codes)
+    if command[0] == "run" and outcome.code == 2:
+        found = [text for text in found if "lines of complaint" not in text]
+        last = outcome.err.splitlines()[-1] if outcome.err else b""
+        if len(outcome.err.splitlines()) > 1 and b"--resume" not in last:
+            found.append(f"does not say how it goes on: {last!r}")
+    return found
 
 
 def jumping_clock(program):
@@ -129,7 +141,7 @@ def little_memory(program, campaign, random, folder):
     outcome = campaign.count(program.run(command, folder, 60.0, ("prlimit", f"--as={megabytes << 20}")))
     found = []
     if outcome.code != 127 or NOT_LOADED not in outcome.err:
-        found = program.violations(outcome, (0, 1, 2))
+        found = broken(program, outcome, (0, 1, 2), command)
     return found, f"{megabytes} MiB of address space: {' '.join(command)}"
 
 

@@ -101,7 +101,7 @@ struct CommandEnd {
 /// Runs `words`, a program and its arguments, with `input` on stdin. At the end or at the deadline its
 /// process group is killed, with all that the command has started in it. Libraries for linear algebra are
 /// told to use one thread, as all methods do. The command dies with the calling process. \throws
-/// std::system_error if no process can be made
+/// MachineFull if no process can be made
 CommandEnd run_command(const std::vector<std::string>& words, std::string_view input, Deadline deadline);
 
 /// A command that stays: it is started when it is first asked, and answers each line with a line. Its process
