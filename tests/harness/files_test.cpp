@@ -52,6 +52,20 @@ TEST(Files, OfTheUserAreNotReachedByLinks) {
   EXPECT_EQ(read_file(folder / "file"), "other");
 }
 
+TEST(Files, GoIntoTheFolderThatWasThereAtTheirBeginning) {
+  namespace fs = std::filesystem;
+  const fs::path folder = test::fresh_folder("files"), own = folder / "own", others = folder / "others";
+  fs::create_directory(own);
+  fs::create_directory(others);
+  write_whole(own / "file", [&](const TextSink& sink) {
+    fs::rename(own, folder / "moved");
+    fs::create_directory_symlink(others, own);
+    sink("text");
+  });
+  EXPECT_EQ(read_file(folder / "moved" / "file"), "text");
+  EXPECT_TRUE(fs::is_empty(others));
+}
+
 TEST(RequireOwnFile, TakesAFileWithOneNameOrNone) {
   const std::filesystem::path folder = test::fresh_folder("files");
   write_whole(folder / "own", "precious");

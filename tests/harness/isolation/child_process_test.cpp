@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <cerrno>
@@ -10,6 +11,8 @@
 #include <csignal>
 #include <ctime>
 #include <thread>
+
+#include "harness/failure.hpp"
 
 namespace signorini::child_process_test {
 namespace {
@@ -30,6 +33,16 @@ TEST(LastLine, LeavesOutWhatFollowsTheText) {
   EXPECT_EQ(last_line("alone"), "alone");
   EXPECT_EQ(last_line("\n \n"), "");
   EXPECT_EQ(last_line(""), "");
+}
+
+TEST(MachineFull, IsToldWhereNoDescriptorIsLeft) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit none{.rlim_cur = 0, .rlim_max = before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  EXPECT_THROW(static_cast<void>(make_pipe()), MachineFull);
+  EXPECT_THROW(static_cast<void>(make_memory_file()), MachineFull);
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
 }
 
 TEST(ReadAvailable, TakesWhatIsThereWithoutWaitingForMore) {
