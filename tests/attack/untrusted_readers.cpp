@@ -1,26 +1,16 @@
 #include "tests/attack/untrusted_readers.hpp"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "harness/extend/plugins/command_method.hpp"
-#include "harness/failure.hpp"
-#include "harness/files.hpp"
 #include "harness/judge/measures/measures.hpp"
-#include "harness/pack/archive.hpp"
-#include "harness/pack/run_pack.hpp"
-#include "harness/plan/plan.hpp"
 #include "harness/records/line_file.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/records/sampled_trajectory.hpp"
@@ -29,11 +19,8 @@
 #include "harness/report/sections/sections.hpp"
 #include "harness/run/trial.hpp"
 #include "harness/run_folder/record_store.hpp"
-#include "harness/run_folder/run_folder.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "harness/sweep/branch_response.hpp"
-#include "methods/catalogue.hpp"
-#include "methods/options.hpp"
 #include "problems/assembly/solid.hpp"
 #include "problems/files/gmsh_mesh.hpp"
 #include "problems/files/matrices/matrix_file.hpp"
@@ -41,17 +28,15 @@
 #include "problems/scene/scene_family.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/validation.hpp"
+#include "tests/attack/untrusted_checks.hpp"
 #include "tests/harness/stored_records.hpp"
 
 namespace signorini::test {
-
-namespace {
 
 void require(bool kept, const std::string& promise) {
   if (!kept) throw Violation(promise);
 }
 
-/// A refusal is one line for a terminal: no break, no other control character, of a length that is read.
 void require_one_line(const std::string& message) {
   constexpr std::size_t kLongest = 2000;
   require(!message.empty(), "a refusal has a text");
@@ -59,6 +44,17 @@ void require_one_line(const std::string& message) {
   require(message.size() <= kLongest, "a refusal is short: " + one_line(message));
   require(one_line(message, message.size() + 1) == message, "a refusal is UTF-8: " + one_line(message));
 }
+
+const Problem& answered_problem() {
+  static const Problem problem = parse_scene(
+      "schema = 1\nname = \"attack\"\n[system]\nkind = \"sdof\"\nmass = 1\ndamping = 0.1\nstiffness = 1\n"
+      "[forcing]\nfrequency = 2.2\n[[forcing.term]]\ndof = 0\ncos = 1\n[[contact]]\ndof = 0\ngap = 0.2\n"
+      "[law]\nrestitution = 0.8\n",
+      "attack.toml");
+  return problem;
+}
+
+namespace {
 
 void require_finite(const SparseMatrix& matrix) {
   const Eigen::Map<const Eigen::VectorXd> values(matrix.valuePtr(), matrix.nonZeros());
@@ -184,22 +180,6 @@ bool attack_mesh(std::string_view text) {
   }
 }
 
-/// A regular file that lives in memory, with a path to open it by.
-class MemoryFile {
- public:
-  explicit MemoryFile(std::string_view text) : descriptor_(memfd_create("attack", MFD_CLOEXEC)) {
-    if (write(descriptor_, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-      throw std::runtime_error("no room for a file in memory");
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { close(descriptor_); }
-  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
- private:
-  int descriptor_;
-};
-
 std::string lines_of(const std::vector<Record>& records) {
   std::string lines;
   for (const Record& record : records) lines += json_line(to_json(record)) + "\n";
@@ -228,16 +208,6 @@ bool attack_records(std::string_view text) {
   for (const Section& section : sections) require_harmless(to_latex(section));
   static_cast<void>(html_page("attack", nullptr, evaluation, sections));
   return !records.empty();
-}
-
-/// One mass at one stop: what the answers of commands are taken for.
-const Problem& answered_problem() {
-  static const Problem problem = parse_scene(
-      "schema = 1\nname = \"attack\"\n[system]\nkind = \"sdof\"\nmass = 1\ndamping = 0.1\nstiffness = 1\n"
-      "[forcing]\nfrequency = 2.2\n[[forcing.term]]\ndof = 0\ncos = 1\n[[contact]]\ndof = 0\ngap = 0.2\n"
-      "[law]\nrestitution = 0.8\n",
-      "attack.toml");
-  return problem;
 }
 
 /// What the harness makes of a motion before it says anything about it.
@@ -293,73 +263,6 @@ bool attack_branches(std::string_view text) {
   return accepted;
 }
 
-bool attack_archive(std::string_view text) {
-  try {
-    const std::vector<ArchivedFile> files = read_tar(text);
-    const std::vector<ArchivedFile> again = read_tar(gunzipped(gzipped(write_tar(files)), 2 * text.size()));
-    require(std::ranges::equal(files, again, {}, &ArchivedFile::text, &ArchivedFile::text) &&
-                std::ranges::equal(files, again, {}, &ArchivedFile::name, &ArchivedFile::name),
-            "an archive that is written reads the same");
-    return true;
-  } catch (const BadArchive& refusal) {
-    require_one_line(refusal.what());
-    return false;
-  }
-}
-
-/// Manifest, plan and records, one behind the other, as the files of a pack.
-std::string pack_of(std::string_view text) {
-  constexpr char kBetween = '\x1e';  // the separator of records, of ASCII
-  std::vector<ArchivedFile> files{{.name = "SHA256SUMS"}};
-  for (const char* name : {"manifest.json", "plan.txt", "records.jsonl"}) {
-    const std::size_t end = std::min(text.find(kBetween), text.size());
-    files.push_back({.name = name, .text = std::string(text.substr(0, end))});
-    files.front().text += sha256(files.back().text) + "  " + name + "\n";
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return gzipped(write_tar(files));
-}
-
-/// The pack of what is in a pack.
-std::string packed_again(const std::string& pack) {
-  const MemoryFile file(pack);
-  const OpenedRun opened(file.path());
-  return pack_run(read_run(opened.folder()));
-}
-
-bool attack_pack(std::string_view text) {
-  // It is unpacked into files, thousands of times: in memory, where the machine has such a place.
-  static const bool in_memory = access("/dev/shm", W_OK) == 0 && setenv("TMPDIR", "/dev/shm", 1) == 0;
-  static_cast<void>(in_memory);
-  try {
-    const std::string once = packed_again(pack_of(text));
-    require(packed_again(once) == once, "a pack that is packed again is the same");
-    return true;
-  } catch (const UsageError& refusal) {
-    require_one_line(refusal.what());
-    return false;
-  }
-}
-
-bool attack_options(std::string_view text) {
-  try {
-    for (const MethodChoice& choice : select_methods(text, method_catalogue())) {
-      for (const OptionEcho& option : choice.options())
-        if (const auto* number = std::get_if<double>(&option.value))
-          require(!std::isnan(*number), "the value of an option is a number");
-      if (choice.settings.empty()) continue;
-      const std::vector<MethodChoice> again = select_methods(choice.label(), method_catalogue());
-      require(again.size() == 1 && again.front().settings == choice.settings, "a label names its settings");
-    }
-    return true;
-    // Each quotes what it was given, which the command line prints in one line.
-  } catch (const InvalidOption&) {
-  } catch (const NothingMatched&) {
-  } catch (const UsageError&) {
-  }
-  return false;
-}
-
 constexpr std::array kReaders{UntrustedReader{.name = "scene", .attack = attack_scene},
                               UntrustedReader{.name = "matrix", .attack = attack_matrix},
                               UntrustedReader{.name = "mesh", .attack = attack_mesh},
@@ -368,7 +271,9 @@ constexpr std::array kReaders{UntrustedReader{.name = "scene", .attack = attack_
                               UntrustedReader{.name = "answer", .attack = attack_answer},
                               UntrustedReader{.name = "archive", .attack = attack_archive},
                               UntrustedReader{.name = "pack", .attack = attack_pack},
-                              UntrustedReader{.name = "options", .attack = attack_options}};
+                              UntrustedReader{.name = "options", .attack = attack_options},
+                              UntrustedReader{.name = "curves", .attack = attack_curves},
+                              UntrustedReader{.name = "suite", .attack = attack_suite}};
 
 }  // namespace
 

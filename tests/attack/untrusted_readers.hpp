@@ -30,6 +30,8 @@ struct UntrustedReader {
 /// - archive: a tar archive, as it is in a pack
 /// - pack: manifest, plan and records of a pack, from which it is packed again
 /// - options: methods by name with their options, as --methods and suites have them
+/// - curves: a file of branches that a program has followed, and what is made of it over an interval
+/// - suite: a suite in TOML
 std::span<const UntrustedReader> untrusted_readers();
 
 /// The reader of that name. \throws std::out_of_range

@@ -27,7 +27,7 @@ ATTACK = pathlib.Path(__file__).resolve().parents[1]
 TREE = ATTACK.parents[1]
 # What else a fuzzer begins with.
 SEEDS = {"scene": ["problems/families"], "matrix": ["problems/catalogue/matrices-cantilever"],
-         "mesh": [], "records": [], "answer": [], "branches": [], "archive": [], "pack": [], "options": []}
+         "mesh": [], "records": [], "answer": [], "branches": [], "archive": [], "pack": [], "options": [], "curves": [], "suite": ["problems/suites"]}
 LONGEST = 8192  # of an input [bytes]
 SECONDS, MEMORY_MB = 25, 4096  # of one input, with sanitizers
 MOST_FILES = 24  # of a corpus in the tree
