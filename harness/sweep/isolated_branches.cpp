@@ -59,8 +59,9 @@ class Received {
     } else if (json.contains("refused")) {
       refused_ = json.at("refused").get<std::string>();
     } else {
-      json.at("unfinished").get_to(diagram_.unfinished);
-      json.at("notes").get_to(diagram_.notes);
+      // A method's own words go to the terminal.
+      diagram_.unfinished = as_message(json.at("unfinished").get<std::string>());
+      for (const Json& note : json.at("notes")) diagram_.notes.push_back(as_message(note.get<std::string>()));
     }
   }
 

@@ -154,6 +154,8 @@ SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases)
     x = sample_series(series, static_cast<int>(std::max(kFewest, kPerHarmonic * (series.rows() - 1))));
     if (phases > 0) motion = sample_series(series, static_cast<int>(asked));
   }
+  if (!x.allFinite() || !motion.allFinite())
+    refuse_curve(fmt::format("point at {} rad/s (must have a motion of finite numbers)", given.omega));
   SolutionPoint point{.parameter = given.omega,
                       .frequency = given.omega,
                       .order = given.order,
@@ -162,7 +164,7 @@ SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases)
                       .stability = stability_of(given.stable)};
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     point.x_max.push_back(x.col(j).maxCoeff());
-    point.amplitude.push_back(0.5 * (x.col(j).maxCoeff() - x.col(j).minCoeff()));
+    point.amplitude.push_back(0.5 * x.col(j).maxCoeff() - 0.5 * x.col(j).minCoeff());
   }
   return point;
 }

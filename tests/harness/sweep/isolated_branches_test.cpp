@@ -8,12 +8,13 @@
 #include "harness/failure.hpp"
 #include "harness/sweep/branch_json.hpp"
 #include "methods/curve.hpp"
+#include "problems/files/toml_tree.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini::isolated_branches_test {
 namespace {
 
-enum class Flaw { crash, no_order, never_applies };
+enum class Flaw { crash, no_order, raw_note, never_applies };
 
 /// A method that hands over one branch, then ends its process or hands over one that is none; or does not
 /// apply.
@@ -40,6 +41,8 @@ class LateFailure final : public Method, public CurveMethod {
       branch.points.push_back({.parameter = frequency, .frequency = frequency, .amplitude = {1.0}});
     limits.take(branch);
     if (flaw_ == Flaw::crash) std::raise(SIGSEGV);
+    if (flaw_ == Flaw::raw_note)
+      return {.branches = {branch}, .unfinished = "\x1b[2J", .notes = {"\x1b[31mred\n"}};
     branch.points.front().order = 0;
     limits.take(branch);
     return {};
@@ -86,6 +89,14 @@ TEST(IsolatedBranches, LeaveOutOneThatIsNone) {
   const IsolatedBranches found = isolated_branches(scene_of(), {&entry}, {}).value();
   EXPECT_EQ(found.diagram.branches.size(), 1U);
   EXPECT_TRUE(found.failure.starts_with("late-failure: invalid branch: order = 0")) << found.failure;
+}
+
+TEST(IsolatedBranches, HaveNotesThatDoNothingToATerminal) {
+  const MethodEntry entry = late_failure(Flaw::raw_note);
+  const IsolatedBranches found = isolated_branches(scene_of(), {&entry}, {}).value();
+  ASSERT_EQ(found.diagram.notes.size(), 1U);
+  for (const std::string& text : {found.diagram.notes.front(), found.diagram.unfinished})
+    EXPECT_FALSE(has_control_characters(text)) << text.size();
 }
 
 TEST(IsolatedBranches, AreNoneWithoutACurveAndRefusedWhereTheMethodDoesNotApply) {

@@ -43,6 +43,14 @@ TEST(ExchangedCurves, HaveTheExtremesOfTheirSeries) {
   EXPECT_EQ(branch.points[1].stability, OrbitStability::unknown);
 }
 
+TEST(ExchangedCurves, AreFiniteOrRefused) {
+  constexpr double kLargest = 1.5e308;
+  const ExchangedPoint wide{.omega = 1.0, .x = {{kLargest, -kLargest}}},
+      next{.omega = 1.5, .x = {{0.0, 1.0}}};
+  EXPECT_EQ(diagram({wide, next}).branches.front().points[0].amplitude[0], kLargest);
+  EXPECT_THROW(static_cast<void>(diagram({wave(1.0, kLargest, kLargest), next})), BadRecord);
+}
+
 TEST(ExchangedCurves, KeepTheOrderOfTheSceneAndSayWhereLongerPeriodsAreCutOff) {
   ExchangedCurve curve;
   curve.branches.push_back({.began = "there",
