@@ -14,6 +14,10 @@ std::string method_label(std::string_view method, const Settings& settings) {
   return fmt::format("{}[{}]", method, inside);
 }
 
+bool is_plain(const Settings& settings) {
+  return std::ranges::find(settings, OptionSetting{"plain", "true"}) != settings.end();
+}
+
 CaseName parse_method_label(std::string_view label) {
   const std::size_t open = label.find('[');
   CaseName name{.method = std::string(label.substr(0, open))};

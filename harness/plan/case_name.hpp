@@ -13,6 +13,9 @@ namespace signorini {
 /// Options of a method with their values, as asked for; every other option has its default.
 using Settings = std::vector<OptionSetting>;
 
+/// Whether they ask for a method as the literature has it, `plain=true`.
+bool is_plain(const Settings& settings);
+
 /// Parts of the name of a case.
 struct CaseName {
   std::string scene = {};

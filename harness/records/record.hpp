@@ -53,6 +53,8 @@ struct WorkDone {
 struct TimedRound {
   double setup = 0.0;
   double solve = 0.0;
+  /// Of the first set-up and solve of the round's process; empty where there is no such call.
+  std::optional<double> first = {};
 };
 
 /// Times of set-up plus solve over rounds, the least of each [s].
@@ -63,6 +65,7 @@ struct Seconds {
   int repetitions = 0;
   double setup = 0.0;                   ///< median of the set-up's part
   double solve = 0.0;                   ///< median of the solve's part
+  std::optional<double> first = {};     ///< of a process, set-up plus solve: the median of the rounds
   std::optional<bool> unstable = {};    ///< mad above kUnstable of the median; empty for a single round
   std::vector<TimedRound> rounds = {};  ///< in the order taken
   std::optional<double> exchange = {};  ///< beside a solve that tells its own time, the least [s]

@@ -108,9 +108,17 @@ Json JsonForm<DrawnValues>::write(const DrawnValues& values) { return object_of(
 
 DrawnValues JsonForm<DrawnValues>::read(const Json& json) { return pairs_of<DrawnValues>(json); }
 
-Json JsonForm<TimedRound>::write(const TimedRound& round) { return {round.setup, round.solve}; }
+Json JsonForm<TimedRound>::write(const TimedRound& round) {
+  Json times{round.setup, round.solve};
+  if (round.first) times.push_back(*round.first);
+  return times;
+}
 
-TimedRound JsonForm<TimedRound>::read(const Json& json) { return {.setup = json.at(0), .solve = json.at(1)}; }
+TimedRound JsonForm<TimedRound>::read(const Json& json) {
+  TimedRound round{.setup = json.at(0), .solve = json.at(1)};
+  if (json.size() > 2) round.first = json.at(2).get<double>();
+  return round;
+}
 
 Json to_json(const Record& record) {
   Json json{{"schema", kRecordSchema}};

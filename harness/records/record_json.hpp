@@ -44,8 +44,8 @@ struct JsonForm<Settings> {
 /// A pair, set-up and solve.
 template <>
 struct JsonForm<TimedRound> {
-  static nlohmann::ordered_json write(const TimedRound& round);  ///< [set-up, solve]
-  static TimedRound read(const nlohmann::ordered_json& json);    ///< of two numbers
+  static nlohmann::ordered_json write(const TimedRound& round);  ///< [set-up, solve], [..., first]
+  static TimedRound read(const nlohmann::ordered_json& json);    ///< of two numbers or three
 };
 
 void visit_fields(Either<FamilyLevel> auto& level, auto&& field) {
@@ -87,6 +87,7 @@ void visit_fields(Either<Seconds> auto& seconds, auto&& field) {
   field(required("repetitions"), seconds.repetitions);
   field(required("setup", "s"), seconds.setup);
   field(required("solve", "s"), seconds.solve);
+  field(Field{"first", "s"}, seconds.first);
   field(Field{"unstable"}, seconds.unstable);
   field(Field{"rounds", "s"}, seconds.rounds);
   field(Field{"exchange", "s"}, seconds.exchange);

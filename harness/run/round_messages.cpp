@@ -108,8 +108,9 @@ void send_later_round(const RepeatedSolve& repeat, const LineSender& send) {
     if (repeat.signal) failure["signal"] = *repeat.signal;
     return send(json_line(failure));
   }
-  send(
-      json_line({{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}}));
+  Json times{{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}};
+  if (repeat.times->first) times["first"] = *repeat.times->first;
+  send(json_line(times));
 }
 
 void take_later_round(const ChildEnd& end, Record& record) {
@@ -118,6 +119,7 @@ void take_later_round(const ChildEnd& end, Record& record) {
   if (json.contains("setup")) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
     rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});
+    if (json.contains("first")) rounds.back().first = json.at("first").get<double>();
     const std::optional<double> exchange = record.seconds->exchange;
     record.seconds = summarise(rounds);
     record.seconds->exchange = exchange;

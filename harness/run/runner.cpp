@@ -255,6 +255,7 @@ bool Runner::run_series(const Job& job, SolveSeries& series, const std::function
 }
 
 int Runner::planned_rounds(const Record& record) const {
+  if (is_plain(record.settings)) return 1;  // told beside the others, in no ranking
   const TimedRound& first = record.seconds->rounds.front();
   return rounds_for(first.setup + first.solve, {.rounds = limits_.repetitions});
 }

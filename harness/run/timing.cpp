@@ -1,35 +1,23 @@
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "harness/run/trial.hpp"
 #include "harness/statistics.hpp"
+#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr const char* kLeast = "least";
-
 /// A first call that fills a round this many times was not long by mere preemption.
 constexpr double kSureFactor = 10.0;
 
-/// Keeps the least time of a round and prints nothing.
-class LeastTime final : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration) continue;
-      const auto least = run.counters.find(kLeast);
-      if (least != run.counters.end()) seconds = least->second.value;
-    }
-  }
-
-  double seconds = 0.0;
-};
+/// Calls of a round that may end before its time is over: its first ones find caches and predictions cold.
+constexpr int kLeastCalls = 5;
+constexpr double kLeastShare = 0.1;  // of the time of a round
+constexpr double kTick = 1e-9;       // s: a clock may stand still for a call
+/// Times that differ by less than this factor are the least time twice.
+constexpr double kAgreeing = 1.01;
 
 }  // namespace
 
@@ -54,37 +42,28 @@ int rounds_missing(const std::vector<TimedRound>& rounds, int planned, int more)
   return taken < planned + more && !rounds_agree(rounds, planned) ? 1 : 0;
 }
 
-double time_round(const std::string& name, const std::function<double()>& timed, double first,
-                  const TimingBudget& budget) {
+double time_round(const std::function<double()>& timed, double first, const TimingBudget& budget) {
   if (first >= kSureFactor * budget.round_seconds) return first;
-  if (first >= budget.round_seconds) {
-    // An interruption may have prolonged the first call.
-    const double second = timed();
-    if (second >= budget.round_seconds) return std::min(first, second);
+  // A first call that fills the round ends it if a second does: it may have been interrupted.
+  double least = kInfinity, second = kInfinity, spent = 0.0;
+  for (int calls = 1; spent < budget.round_seconds; ++calls) {
+    const double seconds = timed();
+    spent += std::max(seconds, kTick);
+    second = std::min(second, std::max(least, seconds));
+    least = std::min(least, seconds);
+    if (calls >= kLeastCalls && spent >= kLeastShare * budget.round_seconds && second <= kAgreeing * least)
+      break;
   }
-  benchmark::ClearRegisteredBenchmarks();
-  auto* registered = benchmark::RegisterBenchmark(name.c_str(), [&timed](benchmark::State& state) {
-    double least = std::numeric_limits<double>::infinity();
-    for ([[maybe_unused]] const auto& iteration : state) {
-      const double seconds = timed();
-      state.SetIterationTime(seconds);
-      least = std::min(least, seconds);
-    }
-    state.counters[kLeast] = least;
-  });
-  registered->UseManualTime()->MinTime(budget.round_seconds);
-  LeastTime least;
-  benchmark::RunSpecifiedBenchmarks(&least);
-  benchmark::ClearRegisteredBenchmarks();
-  return least.seconds;
+  return first >= budget.round_seconds ? std::min(first, least) : least;
 }
 
 Seconds summarise(const std::vector<TimedRound>& rounds) {
-  std::vector<double> setup, solve, total;
+  std::vector<double> setup, solve, total, first;
   for (const TimedRound& round : rounds) {
     setup.push_back(round.setup);
     solve.push_back(round.solve);
     total.push_back(round.setup + round.solve);
+    if (round.first) first.push_back(*round.first);
   }
   Seconds seconds{.median = median(total),
                   .min = *std::ranges::min_element(total),
@@ -93,6 +72,7 @@ Seconds summarise(const std::vector<TimedRound>& rounds) {
                   .setup = median(setup),
                   .solve = median(solve)};
   seconds.rounds = rounds;
+  if (!first.empty()) seconds.first = median(first);
   if (rounds.size() > 1) seconds.unstable = seconds.mad > kUnstable * seconds.median;
   return seconds;
 }

@@ -192,7 +192,7 @@ SolveFailure no_answer(const Solution& solution, const Start& start) {
 }
 
 /// \throws SolveFailure where a solve has no answer
-Round round_from(const FirstCall& first, const std::string& name, const Limits& limits) {
+Round round_from(const FirstCall& first, const Limits& limits) {
   Round round;
   std::optional<Solution> latest;
   TimedScenes scenes(first);
@@ -208,8 +208,9 @@ Round round_from(const FirstCall& first, const std::string& name, const Limits& 
     latest = std::move(solution);
     return seconds;
   };
-  round.times.setup = time_round(name + "/setup", set_up, first.setup, {});
-  round.times.solve = time_round(name + "/solve", solve, first.outside ? solve() : first.solve, {});
+  round.times.setup = time_round(set_up, first.setup, {});
+  round.times.solve = time_round(solve, first.outside ? solve() : first.solve, {});
+  if (!first.outside) round.times.first = first.setup + first.solve;
   if (latest && !first.outside) round.latest = answer_digest(*latest->trajectory);
   return round;
 }
@@ -223,7 +224,7 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   } else if (!build_may_be_timed()) {
     record.not_timed = "not a Release build";
   } else {
-    const Round round = round_from(first, record.case_id, trial.limits);
+    const Round round = round_from(first, trial.limits);
     record.seconds = summarise({round.times});
     record.seconds->exchange = first.prepared.own_times().least_exchange;
     if (round.latest) count_repeat(*round.latest, record);
@@ -371,7 +372,7 @@ RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const L
   if (!has_answer(solution)) throw no_answer(solution, begin);
   const std::string answer = answer_digest(*solution.trajectory);
   const FirstCall first{problem, *method, *prepared, start, setup, solve, is_outside(planned_case)};
-  return {.times = round_from(first, planned_case.id, limits).times, .answer = answer};
+  return {.times = round_from(first, limits).times, .answer = answer};
 } catch (const SolveFailure& failure) {
   return {.message = as_message(failure.what()), .status = failure.status, .signal = failure.signal};
 }

@@ -99,7 +99,9 @@ void multiply(double factor, Seconds& seconds) {
   for (TimedRound& round : seconds.rounds) {
     round.setup *= factor;
     round.solve *= factor;
+    if (round.first) *round.first *= factor;
   }
+  if (seconds.first) *seconds.first *= factor;
   if (seconds.exchange) *seconds.exchange *= factor;
 }
 

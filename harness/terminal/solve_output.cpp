@@ -270,9 +270,10 @@ std::string judgement_text(const Record& record, const SolveOutput& output) {
       orbit_lines(record.certificate, output.verbose) + error_lines(record) + physics_lines(record.physics);
   if (output.verbose) text += work_lines(record);
   if (record.seconds) {
-    text +=
-        named_line("time", fmt::format("{} (set-up {}, solve {})", time_text(record.seconds->median),
-                                       time_text(record.seconds->setup), time_text(record.seconds->solve)));
+    const Seconds& seconds = *record.seconds;
+    text += named_line("time", fmt::format("{} (set-up {}, solve {}{})", time_text(seconds.median),
+                                           time_text(seconds.setup), time_text(seconds.solve),
+                                           seconds.first ? ", first " + time_text(*seconds.first) : ""));
   }
   return text;
 }

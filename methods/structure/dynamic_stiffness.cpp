@@ -50,9 +50,8 @@ struct DynamicStiffness::Factors {
     if (dense) {
       matrix =
           weights.mass * dense_mass + weights.damping * dense_damping + weights.stiffness * dense_stiffness;
-      lu.compute(matrix);
-      // An exact rcond costs as much as the solve; the estimate is enough to refuse a singular Z.
-      if (!(lu.reciprocal_condition() > std::numeric_limits<double>::epsilon())) throw SingularStiffness();
+      // Enough to refuse a singular Z; of more rows an exact one would cost as much as the solve.
+      if (!(factors_of_matrix() > std::numeric_limits<double>::epsilon())) throw SingularStiffness();
       return;
     }
     sparse = weights.mass * mass + weights.damping * damping + weights.stiffness * stiffness;
@@ -63,7 +62,19 @@ struct DynamicStiffness::Factors {
     if (sparse_lu->info() != Eigen::Success) throw SingularStiffness();
   }
 
+  // Of the dense matrix, or its inverse where it has few rows. Returns an estimate of its reciprocal
+  // condition.
+  double factors_of_matrix() {
+    if (matrix.rows() <= kMostInverted) {
+      inverse = matrix;
+      return invert(inverse) ? reciprocal_condition(matrix, inverse) : 0.0;
+    }
+    lu.compute(matrix);
+    return lu.reciprocal_condition();
+  }
+
   [[nodiscard]] Eigen::MatrixXcd solve(const Eigen::MatrixXcd& rhs) const {
+    if (dense && matrix.rows() <= kMostInverted) return inverse.lazyProduct(rhs);
     if (dense) return lu.solve(rhs);
     Eigen::MatrixXcd solution = sparse_lu->solve(rhs);
     if (!solution.allFinite()) throw SingularStiffness();
@@ -75,6 +86,7 @@ struct DynamicStiffness::Factors {
   bool analysed = false;
   Eigen::MatrixXd dense_mass, dense_damping, dense_stiffness;
   Eigen::MatrixXcd matrix;
+  Eigen::MatrixXcd inverse;  // where it has kMostInverted rows at most
   ComplexLuFactors lu;
   SparseComplex mass, damping, stiffness, sparse;
   std::unique_ptr<Eigen::UmfPackLU<SparseComplex>> sparse_lu;  // null where they are dense

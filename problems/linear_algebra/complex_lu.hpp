@@ -42,4 +42,16 @@ Eigen::VectorXcd lu_solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b);
 /// A^-1 by partial pivoting; not finite where A is singular.
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& A);
 
+/// Rows up to which `invert` takes less than factors and an estimate of their condition: these are calls and
+/// memory, not arithmetic.
+inline constexpr Eigen::Index kMostInverted = 8;
+
+/// A <- A^-1 in place, of kMostInverted rows at most, by Gauss and Jordan's elimination with row exchanges.
+/// Source: [golub2013], ch. 3.4. \return false where a pivot is zero or not a number; A is spoilt then
+[[nodiscard]] bool invert(Eigen::MatrixXcd& A);
+
+/// Reciprocal condition of A in the 1-norm from A and A^-1, with |re| + |im| for a modulus and so up to twice
+/// what it is; 0 where A^-1 is not finite.
+double reciprocal_condition(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& inverse);
+
 }  // namespace signorini

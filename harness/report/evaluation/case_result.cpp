@@ -116,9 +116,7 @@ void CaseResults::add(const Record& record) {
   all.push_back(std::move(result));
 }
 
-bool CaseChoice::is_plain() const {
-  return std::ranges::find(settings, OptionSetting{"plain", "true"}) != settings.end();
-}
+bool CaseChoice::is_plain() const { return signorini::is_plain(settings); }
 
 // In place: a second list would be half of the memory that the evaluation of a large run takes.
 void CaseResults::keep(const std::vector<std::size_t>& sources) {

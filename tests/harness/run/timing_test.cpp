@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include "harness/run/trial.hpp"
 
 namespace signorini::timing_test {
@@ -11,8 +15,23 @@ TEST(TimeRound, KeepsTheLeastTimeOfTheRound) {
     ++calls;
     return calls % 5 == 0 ? 1e-4 : 1e-3;  // pretended, so that the outcome does not depend on this machine
   };
-  EXPECT_NEAR(time_round("test", timed, 1e-3, {.round_seconds = 0.01}), 1e-4, 1e-12);
+  EXPECT_NEAR(time_round(timed, 1e-3, {.round_seconds = 0.01}), 1e-4, 1e-12);
   EXPECT_GE(calls, 10);
+}
+
+/// How often a round calls work whose times are these, the last one from then on.
+int calls_of_round(const std::vector<double>& times) {
+  std::size_t calls = 0;
+  time_round([&] { return times[std::min(calls++, times.size() - 1)]; }, 1e-3, {.round_seconds = 0.01});
+  return static_cast<int>(calls);
+}
+
+TEST(TimeRound, EndsWhereTheTwoLeastTimesAgree) {
+  EXPECT_EQ(calls_of_round({5e-4}), 5);
+  EXPECT_EQ(calls_of_round({5e-4, 5.04e-4, 1e-3, 1e-3, 1e-3}), 5) << "whatever the others took";
+  EXPECT_EQ(calls_of_round({8e-4, 7e-4, 6e-4, 5e-4, 4e-4, 3e-4}), 7) << "not while they still fall";
+  EXPECT_EQ(calls_of_round({1e-5}), 100) << "a tenth of the round at least";
+  EXPECT_EQ(calls_of_round({1e-3, 0.9e-3, 0.8e-3, 0.7e-3, 0.6e-3, 0.5e-3, 6.0e-3}), 7) << "its time is over";
 }
 
 TEST(TimeRound, CountsAFirstCallThatFillsTheRound) {
@@ -21,13 +40,13 @@ TEST(TimeRound, CountsAFirstCallThatFillsTheRound) {
     ++calls;
     return 1.0;
   };
-  EXPECT_EQ(time_round("test", timed, 2.0, {.round_seconds = 0.01}), 2.0);
+  EXPECT_EQ(time_round(timed, 2.0, {.round_seconds = 0.01}), 2.0);
   EXPECT_EQ(calls, 0);
 }
 
 TEST(TimeRound, IsNotMisledByAFirstCallThatWasInterrupted) {
-  EXPECT_NEAR(time_round("test", [] { return 1e-3; }, 0.015, {.round_seconds = 0.01}), 1e-3, 1e-12);
-  EXPECT_EQ(time_round("test", [] { return 0.02; }, 0.03, {.round_seconds = 0.01}), 0.02);
+  EXPECT_NEAR(time_round([] { return 1e-3; }, 0.015, {.round_seconds = 0.01}), 1e-3, 1e-12);
+  EXPECT_EQ(time_round([] { return 0.02; }, 0.03, {.round_seconds = 0.01}), 0.02);
 }
 
 TEST(RoundsFor, GivesSlowWorkFewerRoundsButNeverNone) {
@@ -67,6 +86,11 @@ TEST(Summarise, AddsSetUpAndSolveRoundByRound) {
   EXPECT_EQ(seconds.solve, 10.0);
   EXPECT_EQ(seconds.repetitions, 3);
   EXPECT_EQ(seconds.rounds.size(), 3U);
+  EXPECT_FALSE(seconds.first.has_value());
+}
+
+TEST(Summarise, KeepsTheFirstTimesApart) {
+  EXPECT_EQ(summarise({{1.0, 2.0, 9.0}, {1.0, 2.0}, {1.0, 2.0, 5.0}, {1.0, 2.0, 8.0}}).first, 8.0);
 }
 
 TEST(Summarise, CallsTimesUnstableThatDeviateByMoreThanFivePercent) {

@@ -43,7 +43,7 @@ TEST_P(RealFftOfSize, InverseUndoesForward) {
   EXPECT_NEAR((back - values).norm(), 0.0, 1e-14 * samples * values.norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(EvenAndOdd, RealFftOfSize, testing::Values(1, 2, 3, 8, 15, 160));
+INSTANTIATE_TEST_SUITE_P(EvenAndOdd, RealFftOfSize, testing::Values(1, 2, 3, 4, 8, 15, 16, 32, 64, 128, 160, 256, 512));
 
 TEST(RealFft, MissingCoefficientsAreZero) {
   RealFft fft(8);
@@ -53,6 +53,19 @@ TEST(RealFft, MissingCoefficientsAreZero) {
   fft.inverse(spectrum, values);
   EXPECT_NEAR(values[2], 2.0, 1e-15);
   EXPECT_NEAR(values[6], 0.0, 1e-15);
+}
+
+// cos(N/2 t) at the nodes: what stands at 0 and N/2 has no imaginary part, whatever is given there.
+TEST(RealFft, TakesTheRealPartsOfTheMeanAndOfTheHighestCoefficient) {
+  for (const int samples : {6, 64}) {
+    RealFft fft(samples);
+    Eigen::VectorXcd spectrum = Eigen::VectorXcd::Zero(fft.coefficients());
+    spectrum[0] = std::complex<double>(2.0, 5.0);
+    spectrum[samples / 2] = std::complex<double>(1.0, -3.0);
+    Eigen::VectorXd values(samples);
+    fft.inverse(spectrum, values);
+    for (int i = 0; i < samples; ++i) EXPECT_NEAR(values[i], i % 2 == 0 ? 3.0 : 1.0, 1e-14) << samples;
+  }
 }
 
 TEST(RealFft, TwoTransformsOfOneSizeDoNotDisturbEachOther) {

@@ -114,6 +114,45 @@ TEST(ComplexLuFactors, OfASingularMatrixSolveToNoFiniteNumber) {
   EXPECT_FALSE(std::isfinite(std::abs(inverse(A)(1, 1))));
 }
 
+TEST(Invert, OfFewRowsGivesTheInverseAndItsCondition) {
+  for (int size = 1; size <= kMostInverted; ++size) {
+    ComplexMatrix F = fourier_matrix(size, -1.0);
+    const ComplexMatrix before = F;
+    ASSERT_TRUE(invert(F)) << size;
+    EXPECT_LT(complex_distance(size * F, fourier_matrix(size, 1.0)), 20.0 * kEps * size) << size;
+    // |F|_1 = n and |F^-1|_1 = 1: moduli taken as |re| + |im| are at most twice as large together.
+    const double condition = reciprocal_condition(before, F);
+    EXPECT_GE(condition, (1.0 - 1e-10) / size) << size;
+    EXPECT_LE(condition, (2.0 + 1e-10) / size) << size;
+    const ComplexMatrix A = random_complex(size, size, 3);
+    ComplexMatrix inverted = A;
+    ASSERT_TRUE(invert(inverted)) << size;
+    expect_solved(A, inverted, ComplexMatrix::Identity(size, size));
+  }
+}
+
+// No pivot on the diagonal: rows are exchanged, and columns of the inverse back.
+TEST(Invert, ExchangesRows) {
+  ComplexMatrix A(3, 3);
+  A << Complex(0.0), Complex(0.0, 1.0), Complex(0.0), Complex(0.0), Complex(0.0), Complex(4.0), Complex(2.0),
+      Complex(0.0), Complex(0.0);
+  ASSERT_TRUE(invert(A));
+  EXPECT_EQ(A(0, 2), Complex(0.5));
+  EXPECT_EQ(A(1, 0), Complex(0.0, -1.0));
+  EXPECT_EQ(A(2, 1), Complex(0.25));
+}
+
+TEST(Invert, RefusesWhatIsSingularOrNotANumber) {
+  ComplexMatrix zero = ComplexMatrix::Zero(2, 2), singular(2, 2);
+  EXPECT_FALSE(invert(zero));
+  singular << Complex(1.0), Complex(0.0, 1.0), Complex(0.0, 1.0), Complex(-1.0);
+  EXPECT_FALSE(invert(singular));
+  ComplexMatrix unknown = ComplexMatrix::Identity(2, 2), kept = unknown;
+  unknown(1, 1) = {0.0, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_FALSE(invert(unknown));
+  EXPECT_EQ(reciprocal_condition(kept, unknown), 0.0);
+}
+
 TEST(ComplexLuFactors, HandOnWhatIsNotANumber) {
   for (const int size : {1, 2, 33}) {
     ComplexMatrix A = random_complex(size, size, 1);

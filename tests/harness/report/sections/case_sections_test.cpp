@@ -105,8 +105,12 @@ TEST(CaseSections, ShowNoTimeOfAnAnswerThatIsWrong) {
   EXPECT_EQ(text_of(record, "time"), "500 ms (unsteady)");
   record.seconds->load = 1.5;
   EXPECT_EQ(text_of(record, "time"), "500 ms (unsteady) (loaded)");
+  EXPECT_EQ(text_of(record, "first"), "-") << "of an earlier version";
+  record.seconds->first = 0.75;
+  EXPECT_EQ(text_of(record, "first"), "750 ms");
   record.status = Status::inaccurate;
   EXPECT_EQ(text_of(record, "time"), "(inaccurate)");
+  EXPECT_EQ(text_of(record, "first"), "-");
   record.status = Status::converged;
   record.seconds.reset();
   EXPECT_EQ(text_of(record, "time"), "not timed");
