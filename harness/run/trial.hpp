@@ -121,10 +121,10 @@ bool rounds_agree(const std::vector<TimedRound>& rounds, int count);
 int rounds_missing(const std::vector<TimedRound>& rounds, int planned, int more);
 
 /// Least time of one call in one round [s]. The round ends when its two least times agree within 1 %, after
-/// five calls and a tenth of its time at least, or when its time is over. Each call of `timed` returns its own
-/// time, so that clean-up is not counted. A first call that lasts as long as a round is the round; unless it
-/// lasts ten times as long, a second call must confirm that, because an interruption may have prolonged the
-/// first. \param first  time of the first call, already made [s]
+/// five calls and a tenth of its time at least, or when its time is over. Each call of `timed` returns its
+/// own time, so that clean-up is not counted. A first call that lasts as long as a round is the round; unless
+/// it lasts ten times as long, a second call must confirm that, because an interruption may have prolonged
+/// the first. \param first  time of the first call, already made [s]
 double time_round(const std::function<double()>& timed, double first, const TimingBudget& budget);
 
 /// Statistics of set-up + solve over the rounds, at least one.

@@ -93,16 +93,16 @@ class MultiplierIteration {
   }
 
  private:
-  /// mu <- lambda + s, s Newton's step of the projected equations at lambda: with the contacts that lambda has
-  /// it is Newton's step for lambda(mu) = mu. Not asked for again until the residual is well below one from
-  /// which it led nowhere; then all is as before.
+  /// mu <- lambda + s, s Newton's step of the projected equations at lambda: with the contacts that lambda
+  /// has it is Newton's step for lambda(mu) = mu. Not asked for again until the residual is well below one
+  /// from which it led nowhere; then all is as before.
   bool update_by_newton() {
     constexpr double kNearer = 0.1;
     const double before = residual();
     if (!(before < worth_newton_)) return false;
-    const NewtonKrylovResult newton = solve_newton_krylov(
-        lipschitz_, lipschitz_.unknowns_of(lambda_), settings_.tolerance,
-        {.max_steps = 1, .max_halvings = kHalvings, .deadline = settings_.deadline});
+    const NewtonKrylovResult newton =
+        solve_newton_krylov(lipschitz_, lipschitz_.unknowns_of(lambda_), settings_.tolerance,
+                            {.max_steps = 1, .max_halvings = kHalvings, .deadline = settings_.deadline});
     newton_steps_ += newton.iterations;
     const Eigen::MatrixXcd multiplier = multiplier_, force = lambda_;
     multiplier_ = lipschitz_.force_of(newton.unknowns);

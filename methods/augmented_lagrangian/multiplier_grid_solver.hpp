@@ -25,9 +25,9 @@ namespace signorini {
 /// from one of the size of the highest dynamic stiffness that pivoting on the samples solves. Updates are of
 /// second order where that leads on [bertsekas1982]: mu <- lambda + s, s Newton's step of the
 /// projected equations at lambda, which with the contacts of lambda is Newton's step for lambda(mu) = mu, so
-/// that few are needed at any rho. Elsewhere they are accelerated (AndersonAcceleration), which converges where
-/// the update itself runs away, and are taken in part where Newton's method does not follow. From a force
-/// given that it does not follow at all, penalties rise from soft ones, solved from that force.
+/// that few are needed at any rho. Elsewhere they are accelerated (AndersonAcceleration), which converges
+/// where the update itself runs away, and are taken in part where Newton's method does not follow. From a
+/// force given that it does not follow at all, penalties rise from soft ones, solved from that force.
 ///
 /// `plain` is the literature's form: the first penalty is soft beside the structure and solved from the
 /// motion without contact forces, and updates are taken as they stand.

@@ -26,9 +26,10 @@ double polished_peak(const LimitedOutput& f, double rises, double falls) {
   return newton_zero_between(rate, ends, kSettled * std::abs(middle)).value_or(middle);
 }
 
-// Extremum of the rate between two samples whose curvatures have different signs.
+// Extremum of the rate between two samples whose curvatures have different signs. There the rate is flat: so
+// near to it it is the extreme one to rounding.
 LimitedSample steepest(const LimitedOutput& f, const LimitedSample& a, const LimitedSample& b) {
-  constexpr double kNarrow = 1e-12;  // of the step
+  constexpr double kNarrow = 1e-6;  // of the step
   const Bracket step{a.time, a.curvature, b.time, b.curvature};
   const auto curvature = [&](double t) { return f.value(t, 2); };
   return sample(f, bracketed_zero(curvature, step, kNarrow * (b.time - a.time)).value_or(step).a);

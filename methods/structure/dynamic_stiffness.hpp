@@ -26,7 +26,8 @@ inline constexpr int kMostFactorised = 2000;
 bool prefers_dense(const Problem& problem);
 
 /// Factorises Z = mass M + damping D + stiffness K harmonic by harmonic; the sparsity pattern is analysed
-/// once. Sparse factors are those of UMFPACK [davis2004]; of a few rows (kMostInverted) the inverse takes less.
+/// once. Sparse factors are those of UMFPACK [davis2004]; of a few rows (kMostInverted) the inverse takes
+/// less.
 class DynamicStiffness {
  public:
   /// Dense or sparse as `prefers_dense` says.

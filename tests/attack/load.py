@@ -132,7 +132,7 @@ def report(campaign, load, outcome, samples, kills):
     campaign.notes.append((
         f"{load.cases} cases, `--jobs {load.jobs}`: {outcome.seconds:.0f} s; processor time per case in all processes "
         f"{sum(account.values()):.1f} ms, of which set-up and first solve {account['solve']:.1f}, timing (two calls repeated "
-        f"for 10 ms each) {account['timing']:.1f}, measures {account['measures']:.1f}, certificate "
+        f"for 1 to 10 ms each) {account['timing']:.1f}, measures {account['measures']:.1f}, certificate "
         f"{account['certificate']:.1f}, all the rest (processes, records) {account['rest']:.1f} ms; harness "
         f"{tenth[0][0]:.0f} MiB after a tenth, {tenth[-1][0]:.0f} MiB at the end, at most {max(m for m, _ in samples):.0f} "
         f"MiB and {max(f for _, f in samples)} open files; killed {kills} times", []))

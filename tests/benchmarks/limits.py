@@ -89,6 +89,15 @@ class Bench:
 
         return self.in_turns(measure)
 
+    def first(self, scene, method, **options):
+        """Set-up and solve as the first of a process, of both programs; None of one that does not tell it."""
+
+        def measure(program):
+            record = self.solve(program, scene, method, **options)
+            return record["seconds"].get("first") if record else None
+
+        return self.in_turns(measure)
+
     def benchmark(self, program, name):
         """Seconds per iteration of a line of a Google Benchmark program, the fastest repetition."""
         if program not in self.google:
@@ -135,7 +144,7 @@ def exact_orbit(bench):
         seconds[program] = {name: record["seconds"]["min"] for name, record in runs.items()
                             if record["status"] == "converged" and record.get("certificate", {}).get("status") != "refuted"}
     rows = []
-    for flow, name, goal in (("cvode", "CVODE marching at 1e-6", 100), ("modal", "closed-form marching at 1e-6", 3)):
+    for flow, name, goal in (("cvode", "CVODE marching at 1e-6", 100), ("modal", "closed-form marching at 1e-6", 3.5)):
         pairs = {}
         for program, times in seconds.items():
             pairs[program] = {}
@@ -156,7 +165,10 @@ def exact_orbit(bench):
     # The limit proper: one coarse problem on 64 nodes.
     coarse, _ = bench.whole("sdof-stop", "hat-lcp", samples=64, solver="pivoting")
     orbit, before = bench.whole("sdof-stop", "exact-orbit", samples=64)
-    rows.append(row("exact-orbit", "sdof-stop, cold", "one coarse problem on 64 nodes", coarse, orbit, before, "", ""))
+    first, first_before = bench.first("sdof-stop", "exact-orbit", samples=64)
+    rows.append(row("exact-orbit", "sdof-stop, the least of a round", "one coarse problem on 64 nodes", coarse, orbit, before, "", ""))
+    rows.append(row("exact-orbit", "sdof-stop, the first of a process", "the least of a round", orbit, first, first_before,
+                    "5 times the least", first <= 5 * orbit))
     return rows
 
 
@@ -208,7 +220,7 @@ def curve(bench):
     now, before = bench.in_turns(measure)
     two, _ = bench.whole("sdof-stop", "exact-orbit", samples=64)
     return [row("curve", f"a point of sdof-stop's branches by arc length, stability included ({points[bench.now]} points)",
-                "a cold solve", two, now, before, "1,000 points a second", now <= 1e-3)]
+                "a solve, the least of a round", two, now, before, "1,000 points a second", now <= 1e-3)]
 
 
 def judge(bench):

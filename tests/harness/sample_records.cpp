@@ -64,7 +64,8 @@ Record full_record() {
   record.elapsed = 1.5;
   record.processor = {.solve = 0.125, .timing = 0.25, .measures = 0.0625, .certificate = 0.5};
   record.seconds->unstable = false;
-  record.seconds->rounds = {{0.1, 0.4}, {0.125, 0.375}};
+  record.seconds->rounds = {{0.1, 0.4, 0.75}, {0.125, 0.375}};
+  record.seconds->first = 0.75;
   record.seconds->jobs = 2;
   record.seconds->exchange = 0.25;
   record.seconds->unsteady = false;

@@ -50,6 +50,33 @@ SparseMatrix softening(const SparseMatrix& K, const SparseMatrix& i, const Spars
   return 0.5 * (pulled + SparseMatrix(pulled.transpose()));
 }
 
+// Mass, damping and stiffness of the coordinates with mass and the relaxation time of the others, or the
+// obstacle.
+void condense_massless(const Problem& problem, const MasslessElimination& seen, CondensedStructure& result) {
+  const SparseMatrix i = coordinate_selection(seen.kept, problem.size());
+  const SparseMatrix b = coordinate_selection(seen.massless, problem.size());
+  if (!pulls_back(problem.stiffness(), b)) {
+    result.obstacle = "a circulatory force acts on coordinates without mass";
+    return;
+  }
+  const std::optional<double> relaxation = relaxation_at(problem, b);
+  if (!relaxation) {
+    result.obstacle =
+        "the damping of coordinates without mass, as faces of damped stops are, is not the same multiple of "
+        "their stiffness";
+    return;
+  }
+  result.obstacle = seen.obstacle;  // their stiffness is singular
+  if (!result.obstacle.empty()) return;
+  result.relaxation = *relaxation;
+  result.mass = i.transpose() * problem.mass() * i;
+  result.damping = i.transpose() * problem.damping() * i;
+  result.stiffness = i.transpose() * problem.stiffness() * i;
+  const SparseMatrix softened = softening(problem.stiffness(), i, b);
+  result.stiffness -= softened;
+  if (*relaxation > 0.0) result.damping -= *relaxation * softened;
+}
+
 }  // namespace
 
 CondensedStructure condense(const Problem& problem, int most) {
@@ -60,34 +87,19 @@ CondensedStructure condense(const Problem& problem, int most) {
     return result;
   }
   MasslessElimination seen = eliminate_massless(problem);
-  const SparseMatrix i = coordinate_selection(seen.kept, problem.size());
-  const SparseMatrix b = coordinate_selection(seen.massless, problem.size());
-  if (!pulls_back(problem.stiffness(), b)) {
-    result.obstacle = "a circulatory force acts on coordinates without mass";
-    return result;
+  if (seen.massless.empty()) {
+    result.mass = problem.mass();
+    result.damping = problem.damping();
+    result.stiffness = problem.stiffness();
+  } else {
+    condense_massless(problem, seen, result);
   }
-  const std::optional<double> relaxation = relaxation_at(problem, b);
-  if (!relaxation) {
-    result.obstacle =
-        "the damping of coordinates without mass, as faces of damped stops are, is not the same multiple of "
-        "their stiffness";
-    return result;
-  }
-  result.obstacle = std::move(seen.obstacle);
   if (!result.obstacle.empty()) return result;
   result.kept = std::move(seen.kept);
-  result.mass = i.transpose() * problem.mass() * i;
-  result.damping = i.transpose() * problem.damping() * i;
-  result.stiffness = i.transpose() * problem.stiffness() * i;
-  if (!seen.massless.empty()) {
-    const SparseMatrix softened = softening(problem.stiffness(), i, b);
-    result.stiffness -= softened;
-    if (*relaxation > 0.0) result.damping -= *relaxation * softened;
-  }
   result.normals = std::move(seen.normals);
   result.massless_compliance = std::move(seen.compliance);
   // Where no contact acts on massless coordinates, nothing relaxes.
-  result.relaxation = result.massless_compliance.isZero(0.0) ? 0.0 : *relaxation;
+  if (result.massless_compliance.isZero(0.0)) result.relaxation = 0.0;
   result.rates = std::move(seen.rates);
   result.load = std::move(seen.load);
   result.shift = std::move(seen.shift);

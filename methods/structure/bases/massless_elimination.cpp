@@ -51,12 +51,11 @@ MasslessElimination eliminate_massless(const Problem& problem) {
   using Complex = std::complex<double>;
   MasslessElimination result;
   split_by_mass(problem.mass(), result);
-  const SparseMatrix i = coordinate_selection(result.kept, problem.size()),
-                     b = coordinate_selection(result.massless, problem.size());
   const SparseMatrix W = contact_directions(problem);
-  SparseMatrix K_bi;
-  SparseMatrix K_bb;
+  SparseMatrix i, b, K_bi, K_bb;
   if (!result.massless.empty()) {
+    i = coordinate_selection(result.kept, problem.size());
+    b = coordinate_selection(result.massless, problem.size());
     const SparseMatrix K_b = b.transpose() * problem.stiffness();
     K_bb = K_b * b;
     if (!is_definite(K_bb)) {
@@ -65,7 +64,7 @@ MasslessElimination eliminate_massless(const Problem& problem) {
     }
     K_bi = K_b * i;
   }
-  result.normals = i.transpose() * W;
+  result.normals = result.massless.empty() ? W : SparseMatrix(i.transpose() * W);
   result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
   take_load(problem, result);
   result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());

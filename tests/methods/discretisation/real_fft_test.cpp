@@ -43,7 +43,8 @@ TEST_P(RealFftOfSize, InverseUndoesForward) {
   EXPECT_NEAR((back - values).norm(), 0.0, 1e-14 * samples * values.norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(EvenAndOdd, RealFftOfSize, testing::Values(1, 2, 3, 4, 8, 15, 16, 32, 64, 128, 160, 256, 512));
+INSTANTIATE_TEST_SUITE_P(EvenAndOdd, RealFftOfSize,
+                         testing::Values(1, 2, 3, 4, 8, 15, 16, 32, 64, 128, 160, 256, 512));
 
 TEST(RealFft, MissingCoefficientsAreZero) {
   RealFft fft(8);
