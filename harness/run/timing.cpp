@@ -14,7 +14,7 @@ constexpr double kSureFactor = 10.0;
 
 /// Calls of a round that may end before its time is over: its first ones find caches and predictions cold.
 constexpr int kLeastCalls = 5;
-constexpr double kLeastShare = 0.1;  // of the time of a round
+constexpr double kRoundShare = 0.1;  // of the time of a round
 constexpr double kTick = 1e-9;       // s: a clock may stand still for a call
 /// Times that differ by less than this factor are the least time twice.
 constexpr double kAgreeing = 1.01;
@@ -51,7 +51,7 @@ double time_round(const std::function<double()>& timed, double first, const Timi
     spent += std::max(seconds, kTick);
     second = std::min(second, std::max(least, seconds));
     least = std::min(least, seconds);
-    if (calls >= kLeastCalls && spent >= kLeastShare * budget.round_seconds && second <= kAgreeing * least)
+    if (calls >= kLeastCalls && spent >= kRoundShare * budget.round_seconds && second <= kAgreeing * least)
       break;
   }
   return first >= budget.round_seconds ? std::min(first, least) : least;

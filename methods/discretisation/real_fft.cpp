@@ -82,7 +82,7 @@ class RealFft::Planned final : public RealFft::Transform {
 };
 
 /// N = 2^k real samples as M = N/2 complex ones, z_k = x_2k + i x_2k+1, which Stockham's autosort algorithm
-/// transforms by factors of four and at last of two [frigo2005, section II].
+/// transforms by factors of four and at last of two [frigo2005].
 class RealFft::RadixFour final : public RealFft::Transform {
  public:
   static bool takes(int samples) {

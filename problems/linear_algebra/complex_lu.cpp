@@ -16,7 +16,7 @@ double largest_column(const Eigen::MatrixXcd& A) {
   for (Eigen::Index j = 0; j < A.cols(); ++j) {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < A.rows(); ++i) sum += modulus(A(i, j));
-    if (!(sum <= largest)) largest = sum;  // what is not a number stays
+    if (sum > largest || std::isnan(sum)) largest = sum;  // what is not a number stays
   }
   return largest;
 }

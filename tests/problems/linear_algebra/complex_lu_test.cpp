@@ -119,7 +119,8 @@ TEST(Invert, OfFewRowsGivesTheInverseAndItsCondition) {
     ComplexMatrix F = fourier_matrix(size, -1.0);
     const ComplexMatrix before = F;
     ASSERT_TRUE(invert(F)) << size;
-    EXPECT_LT(complex_distance(size * F, fourier_matrix(size, 1.0)), 20.0 * kEps * size) << size;
+    EXPECT_LT(complex_distance(static_cast<double>(size) * F, fourier_matrix(size, 1.0)), 20.0 * kEps * size)
+        << size;
     // |F|_1 = n and |F^-1|_1 = 1: moduli taken as |re| + |im| are at most twice as large together.
     const double condition = reciprocal_condition(before, F);
     EXPECT_GE(condition, (1.0 - 1e-10) / size) << size;
