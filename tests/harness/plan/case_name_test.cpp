@@ -28,6 +28,12 @@ TEST(CaseName, IsPrintedAsItWasRead) {
   }
 }
 
+TEST(CaseName, TellsTheLiteraturesFormsFromOurs) {
+  EXPECT_TRUE(is_plain(parse_method_label("hat-lcp[samples=64,plain=true]").settings));
+  EXPECT_FALSE(is_plain(parse_method_label("hat-lcp[samples=64,plain=false]").settings));
+  EXPECT_FALSE(is_plain({}));
+}
+
 TEST(CaseName, SurvivesNamesThatNoProgramWrote) {
   EXPECT_EQ(parse_method_label("m[word").settings, (Settings{{"word", ""}}));
   EXPECT_EQ(parse_method_label("m[]").settings, Settings{});

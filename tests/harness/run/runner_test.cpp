@@ -215,6 +215,18 @@ TEST(Runner, RecordsTimesInReleaseBuildsOnly) {
   EXPECT_GE(record.seconds->repetitions, 2);  // more where they differ, as on a busy machine
   EXPECT_GT(record.seconds->min, 0.0);
   EXPECT_LE(record.seconds->min, record.seconds->median);
+  EXPECT_GT(record.seconds->first.value(), 0.0);
+  for (const TimedRound& round : record.seconds->rounds) EXPECT_TRUE(round.first.has_value());
+}
+
+TEST(Runner, TakesTheLiteraturesFormsOnce) {
+  const Runner runner(kLimits, test::free_orbits(), [](std::string_view) { return std::string("v"); });
+  Record record;
+  record.seconds = Seconds{.rounds = {{.setup = 1e-4, .solve = 1e-3}}};
+  EXPECT_EQ(runner.rounds_missing(record, kMoreRounds), 1);
+  record.settings = {{"plain", "true"}};
+  EXPECT_EQ(runner.rounds_missing(record, kMoreRounds), 0);
+  EXPECT_EQ(runner.rounds_missing(record, kMoreRounds, 2), 1) << "where an equal solve took another time";
 }
 
 TEST(Runner, CountsACrashInARepetitionAgainstTheMethod) {
