@@ -32,7 +32,8 @@ double contact_force_weight(HatScheme scheme, double theta) {
 
 std::complex<double> restitution_shift(const std::optional<double>& e, double theta) {
   if (!e) return 1.0;
-  return (std::polar(1.0, theta) + *e * std::polar(1.0, -theta)) / (1.0 + *e);
+  const std::complex<double> ahead = std::polar(1.0, theta);
+  return (ahead + *e * std::conj(ahead)) / (1.0 + *e);
 }
 
 }  // namespace signorini
