@@ -152,6 +152,15 @@ class ScaledTriple {
   std::array<double, 3> scales_;
 };
 
+// What is rounding of the other part is none: a time in which contacts relax is not 1e-22 s.
+ProportionalDamping without_rounding(ProportionalDamping factors, const SparseMatrix& M,
+                                     const SparseMatrix& K, double dampers) {
+  constexpr double kRounding = 1e-13;
+  if (std::abs(factors.alpha) * largest_entry(M) <= kRounding * dampers) factors.alpha = 0.0;
+  if (std::abs(factors.beta) * largest_entry(K) <= kRounding * dampers) factors.beta = 0.0;
+  return factors;
+}
+
 }  // namespace
 
 double largest_entry(const SparseMatrix& A) {
@@ -225,13 +234,16 @@ std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, c
   const double dampers = largest_entry(D);
   if (!share.allFinite() || !(rest * scaled.scale(2) <= kProportional * dampers) || !is_symmetric(K))
     return std::nullopt;
-  ProportionalDamping fit{.alpha = share[0] * (scaled.scale(2) / scaled.scale(0)),
-                          .beta = share[1] * (scaled.scale(2) / scaled.scale(1))};
-  // What is rounding of the other part is none: a time in which contacts relax is not 1e-22 s.
-  constexpr double kRounding = 1e-13;
-  if (std::abs(fit.alpha) * largest_entry(M) <= kRounding * dampers) fit.alpha = 0.0;
-  if (std::abs(fit.beta) * largest_entry(K) <= kRounding * dampers) fit.beta = 0.0;
-  return fit;
+  return without_rounding({.alpha = share[0] * (scaled.scale(2) / scaled.scale(0)),
+                           .beta = share[1] * (scaled.scale(2) / scaled.scale(1))},
+                          M, K, dampers);
+}
+
+std::optional<ProportionalDamping> proportional_damping(const Structure& structure) {
+  if (!structure.proportional)
+    return proportional_damping(structure.mass, structure.stiffness, structure.damping);
+  return without_rounding(*structure.proportional, structure.mass, structure.stiffness,
+                          largest_entry(structure.damping));
 }
 
 }  // namespace signorini

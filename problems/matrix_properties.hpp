@@ -21,12 +21,6 @@ bool is_semidefinite(const SparseMatrix& A);
 /// x^T A x > 0 for all x != 0, by a margin of 1e-13 of the diagonal. A is symmetric and finite.
 bool is_definite(const SparseMatrix& A);
 
-/// D = alpha M + beta K.
-struct ProportionalDamping {
-  double alpha = 0.0;  ///< [1/s]
-  double beta = 0.0;   ///< [s]
-};
-
 /// alpha M + beta K. Memory for the sum alone is taken: sums of sparse matrices as Eigen evaluates them grow
 /// by doubling, and of a large block each is a gigabyte.
 SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix& M, const SparseMatrix& K);
@@ -34,5 +28,8 @@ SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix&
 /// alpha, beta with |D - alpha M - beta K| <= 1e-12 max |d_ij|; nothing for any other D or an unsymmetric K.
 std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, const SparseMatrix& K,
                                                         const SparseMatrix& D);
+/// Those that D was assembled by, else as fitted to the matrices. A share of D below 1e-13 of its largest
+/// entry is none.
+std::optional<ProportionalDamping> proportional_damping(const Structure& structure);
 
 }  // namespace signorini

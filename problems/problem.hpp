@@ -118,10 +118,11 @@ struct Problem {
   /// K, Nd x Nd [N/m].
   [[nodiscard]] const SparseMatrix& stiffness() const { return structure->stiffness; }
   /// Calls edit(s) on a copy s of the structure and takes that for its own: whoever shared the old one keeps
-  /// it.
+  /// it. What D was assembled by is then no longer said.
   template <class Edit>
   void edit_structure(Edit&& edit) {
     Structure edited = *structure;
+    edited.proportional.reset();
     std::forward<Edit>(edit)(edited);
     structure = std::make_shared<const Structure>(std::move(edited));
   }

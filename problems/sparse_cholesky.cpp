@@ -38,9 +38,10 @@ struct SparseCholesky::Handle {
     }
   }
 
-  // Order and symbolic factor of a lower triangle; returns the view of it that CHOLMOD reads.
-  cholmod_sparse analyse(const SparseMatrix& lower) {
-    cholmod_sparse view = Eigen::viewAsCholmod(lower.selfadjointView<Eigen::Lower>());
+  // Order and symbolic factor; returns the view of A that CHOLMOD reads, which passes over its upper
+  // triangle.
+  cholmod_sparse analyse(const SparseMatrix& A) {
+    cholmod_sparse view = Eigen::viewAsCholmod(A.selfadjointView<Eigen::Lower>());
     factor = cholmod_analyze(&view, &common);
     check();
     return view;
@@ -76,8 +77,7 @@ struct SparseCholesky::Handle {
 
 SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique<Handle>()) {
   Handle& h = *handle_;
-  const SparseMatrix lower = A.triangularView<Eigen::Lower>();
-  cholmod_sparse view = h.analyse(lower);
+  cholmod_sparse view = h.analyse(A);
   cholmod_factorize(&view, h.factor, &h.common);
   h.check();
   if (h.common.status == CHOLMOD_NOT_POSDEF || h.factor->minor < h.factor->n) return;
@@ -90,8 +90,7 @@ SparseCholesky::SparseCholesky(const SparseMatrix& A) : handle_(std::make_unique
 
 SparseCholesky::Cost SparseCholesky::cost_of(const SparseMatrix& A) {
   Handle handle;
-  const SparseMatrix lower = A.triangularView<Eigen::Lower>();
-  handle.analyse(lower);
+  handle.analyse(A);
   // A symbolic factor without supernodes has no room for its numbers yet.
   const double entries =
       handle.factor->is_super != 0 ? static_cast<double>(handle.factor->xsize) : handle.common.lnz;

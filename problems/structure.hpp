@@ -3,6 +3,7 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
+#include <optional>
 
 namespace signorini {
 
@@ -18,6 +19,12 @@ struct SpeedTerms {
   SparseMatrix circulatory;  ///< K_1, skew-symmetric [N s/m]
 };
 
+/// D = alpha M + beta K.
+struct ProportionalDamping {
+  double alpha = 0.0;  ///< [1/s]
+  double beta = 0.0;   ///< [s]
+};
+
 /// M u'' + D u' + K u = forces; all three matrices are Nd x Nd.
 struct Structure {
   SparseMatrix mass;       ///< M, symmetric positive semi-definite [kg]
@@ -25,6 +32,8 @@ struct Structure {
   SparseMatrix stiffness;  ///< K, its symmetric part positive semi-definite; a skew part circulates [N/m]
   /// What D and K are at other speeds; null where they do not follow the frequency of the load.
   std::shared_ptr<const SpeedTerms> speed = nullptr;
+  /// Those that D was assembled by; none where it was assembled otherwise, or nobody has said so.
+  std::optional<ProportionalDamping> proportional = {};
 };
 
 }  // namespace signorini

@@ -124,12 +124,13 @@ void require_room_for_factors(const std::string& scene, const SparseMatrix& stif
 }
 
 std::string write_reduction(const Scene& scene, const ReductionOrder& order, const Factorise& factorise) {
-  // Of few contacts the powers of a Krylov space, as many as ContactSpace takes.
-  constexpr int kVectorsOfMany = 100;
+  // Of few contacts the first powers of a Krylov space, which are better than as many modes.
+  constexpr int kVectorsOfMany = 100, kVectorsOfFew = 90, kLeastPowers = 6;
   const Problem& problem = scene.problem;
-  const auto loads = static_cast<int>(load_columns(problem).columns.size());
-  const bool many = problem.contact_count() + loads > kFewColumns;
-  const int vectors_asked = order.vectors == 0 && many ? kVectorsOfMany : order.vectors;
+  const int columns = problem.contact_count() + static_cast<int>(load_columns(problem).columns.size());
+  const int unasked =
+      columns > kFewColumns ? kVectorsOfMany : std::max(kVectorsOfFew, kLeastPowers * columns);
+  const int vectors_asked = order.vectors == 0 ? unasked : order.vectors;
   const ContactSpace space(problem, {.small = vectors_asked, .factorise = factorise});
   const ReducedProblem reduced = reduced_problem(problem, space.small());
   if (!reduced.obstacle.empty())

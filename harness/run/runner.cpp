@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <functional>
 #include <utility>
 
@@ -14,6 +15,9 @@
 #include "harness/run/problem_digest.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/run/trial.hpp"
+#include "methods/orbit/reduced/reduced_orbit.hpp"
+#include "methods/structure/dynamic_stiffness.hpp"
+#include "problems/sparse_cholesky.hpp"
 
 namespace signorini {
 
@@ -42,6 +46,27 @@ IsolationLimits series_limits(const Limits& limits) {
 
 IsolationLimits later_round_limits(const Limits& limits, double solve) {
   return {.stage_seconds = {2.0 * solve + kQuickSeconds, kQuickSeconds}, .memory_mb = limits.memory_mb};
+}
+
+/// Whether a factorisation of K in this process, which has no limits, is a matter of seconds and of a quarter
+/// of what a process may take.
+bool is_shared(const Problem& problem, int memory_mb) {
+  constexpr double kMostOperations = 1e11, kShare = 0.25, kMebibyte = 1048576.0;
+  if (problem.size() <= kMostFactorised && !prefers_reduction(problem)) return false;
+  const auto [operations, entries] = SparseCholesky::cost_of(problem.stiffness());
+  return operations <= kMostOperations && 8.0 * entries <= kShare * kMebibyte * memory_mb;
+}
+
+/// The judge's space of a large structure that several answers are judged on: made here once, and inherited
+/// by the processes of all.
+void share_space(const Problem& problem, std::span<const Job> jobs, int memory_mb, KeptSpace& spaces) try {
+  const auto judged = [](const Job& job) { return job.method.applies && !job.task; };
+  if (std::ranges::count_if(jobs, judged) > 1 && is_shared(problem, memory_mb))
+    static_cast<void>(spaces.of(problem));
+  else
+    spaces.forget();
+} catch (const std::exception&) {  // whoever needs it says why there is none
+  spaces.forget();
 }
 
 }  // namespace
@@ -73,6 +98,7 @@ std::vector<Job> Runner::make_jobs(const Scene& scene, const std::vector<Case>& 
 void Runner::compute_references(const Scene& scene, std::span<const Job> jobs) {
   std::vector<Applicability> methods;
   for (const Job& job : jobs) methods.push_back(job.method);
+  share_space(scene.problem, jobs, limits_.memory_mb, *orbits_.spaces);
   references_.compute(scene, methods, orbits_, limits_);
 }
 

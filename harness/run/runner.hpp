@@ -70,7 +70,8 @@ class Runner {
   [[nodiscard]] std::vector<Job> make_jobs(const Scene& scene, const std::vector<Case>& cases) const;
 
   /// Computes the scene's references under all laws of the jobs. They are kept until `forget_references`,
-  /// which must be called before another scene's turn.
+  /// which must be called before another scene's turn. Where several answers are to be judged on a structure
+  /// too large for a closed form, the judge's space of it is made here, for their processes to inherit.
   void compute_references(const Scene& scene, std::span<const Job> jobs);
   void forget_references() { references_.clear(); }
 

@@ -24,18 +24,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Powers that make the first vectors of a Krylov space better than as many modes.
-constexpr int kPowersToSolve = 6;
-constexpr int kLeastToSolve = 90;
+// Vectors to solve on before a motion says which: the lowest.
 constexpr int kLowestToSolve = 48;
 // Vectors to solve on for the force of a motion: the lowest of all, whatever the force, and at most so many
 // others.
 constexpr Eigen::Index kLowest = 30, kMostToSolve = 150;
-// Where contacts are many a space begins with so many vectors, and grows for the forces of motions.
+// A space begins with so many vectors, and grows for the forces of motions.
 constexpr int kBegun = 96;
 // Coordinates with mass of which a space takes all.
 constexpr int kAllOf = 300;
-constexpr int kCheckedPowers = 2;
 
 /// What a space starts from where contacts are many: the load and random combinations of contacts, which
 /// move what contacts see most. Blocks of 16 solve several times faster than single columns. The same numbers
@@ -150,15 +147,12 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
     small_.obstacle = std::string(kNotDefinite);
     return;
   }
-  const auto width = static_cast<int>(source_->all.cols());
-  const bool few = source_->few();
-  const int lowest = few ? std::max(kLeastToSolve, kPowersToSolve * width) : kLowestToSolve;
-  const int small = settings.small > 0 ? settings.small : lowest;
-  const int begun = few ? std::max(2 * small, kCheckedPowers * width) : std::max(2 * small, kBegun);
-  const int enough = most <= kAllOf ? static_cast<int>(most) : begun;
-  source_->begun = settings.whole > 0 ? settings.whole : enough;
   given_small_ = settings.small > 0;
-  if (few) {
+  const int small = given_small_ ? settings.small : kLowestToSolve;
+  const int enough = most <= kAllOf ? static_cast<int>(most) : std::max(2 * small, kBegun);
+  source_->begun = settings.whole > 0 ? settings.whole : enough;
+  const bool powers = given_small_ && source_->few();
+  if (powers) {
     source_->grow_to(small);
     SpaceProjection first = projection_from_start(space, contacts);
     refine_lowest(problem, space, columns, first);
@@ -170,7 +164,7 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   load_ = columns.load;
   const SpaceProjection projection = take_whole();
   sprung_ = has_springs(problem);
-  take_small(few ? std::move(small_) : reduction_on(columns, projection, small));
+  take_small(powers ? std::move(small_) : reduction_on(columns, projection, small));
 }
 
 bool ContactSpace::release() const { return source_->release(); }

@@ -19,11 +19,11 @@ inline constexpr int kFewColumns = 20;
 
 /// How large a ContactSpace is.
 struct ContactSpaceSettings {
-  /// Vectors to solve on at first, of up to 20 columns whole powers at least as many; 0: 90, or six powers of
-  /// up to 20 columns, or 48 of more columns, until `solved_for` chooses them for a motion [-]
+  /// Vectors to solve on, of up to 20 columns whole powers at least as many, a better space than as many
+  /// modes; 0: the lowest 48, until `solved_for` chooses them for a motion [-]
   int small = 0;
-  /// Vectors to check with, at least; 0: all of up to 300; twice as many and two powers of up to 20 columns;
-  /// twice as many and 96 of more columns, before the space has grown for a motion [-]
+  /// Vectors to check with, at least; 0: all of up to 300, else twice as many and 96, before the space has
+  /// grown for a motion [-]
   int whole = 0;
   Factorise factorise = factorise_here;  ///< K
 };

@@ -17,6 +17,8 @@ class KeptSpace {
  public:
   /// That of a scene; one with an obstacle is kept, too. Never null.
   std::shared_ptr<const ContactSpace> of(const Problem& problem);
+  /// Lets go of it.
+  void forget() { space_.reset(); }
   /// How many spaces were made.
   [[nodiscard]] int made() const { return made_; }
 

@@ -52,9 +52,10 @@ class ReducedModel {
     const double lowest = std::abs(weights(std::min(1, harmonics)).mass);
     for (const double sigma : {0.0, lowest}) {
       shift_ = sigma;
-      shifted_ = problem.stiffness();
-      if (shift_ > 0.0) shifted_ += shift_ * problem.mass();
-      space_ = std::make_unique<BlockLanczos>(shifted_, problem.mass(), loads_.columns);
+      if (shift_ > 0.0)
+        shifted_ = combination({.alpha = shift_, .beta = 1.0}, problem.mass(), problem.stiffness());
+      space_ = std::make_unique<BlockLanczos>(shift_ > 0.0 ? shifted_ : problem.stiffness(), problem.mass(),
+                                              loads_.columns);
       if (space_->definite()) break;
     }
     pencils_ = harmonic_pencils(damping, shift_, harmonics, weights, loads_);
@@ -301,7 +302,7 @@ ContactReceptance factorised_receptance(const Problem& problem, int harmonics,
 
 std::optional<ReducedReceptance> reduced_receptance(const Problem& problem, int harmonics,
                                                     const WeightsOfHarmonic& weights, double tolerance) {
-  const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
+  const auto damping = proportional_damping(*problem.structure);
   if (!damping || problem.contact_count() == 0) return std::nullopt;
   ReducedModel model(problem, *damping, harmonics, weights);
   if (!model.definite() || !model.refine(tolerance)) return std::nullopt;

@@ -21,6 +21,17 @@ void dgetrf_(const int* m, const int* n, double* a, const int* a_stride, int* pi
 void dgeev_(const char* job_left, const char* job_right, const int* n, double* a, const int* a_stride,
             double* real, double* imaginary, double* left, const int* left_stride, double* right,
             const int* right_stride, double* work, const int* work_size, int* info, std::size_t, std::size_t);
+/// Eigenvalues w of symmetric A, n x n, rising, of which the triangle `uplo`, 'L' or 'U', is looked at; job
+/// 'V': A becomes its orthonormal vectors, 'N': A is lost.
+// NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
+void dsyevd_(const char* job, const char* uplo, const int* n, double* a, const int* a_stride, double* w,
+             double* work, const int* work_size, int* integers, const int* integers_size, int* info,
+             std::size_t, std::size_t);
+/// The same of A x = w B x with x^T B x = 1 as kind 1; B becomes a factor of it. info > n: B is not definite.
+// NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
+void dsygvd_(const int* kind, const char* job, const char* uplo, const int* n, double* a, const int* a_stride,
+             double* b, const int* b_stride, double* w, double* work, const int* work_size, int* integers,
+             const int* integers_size, int* info, std::size_t, std::size_t);
 }
 
 namespace signorini {

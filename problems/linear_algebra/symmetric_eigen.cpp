@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/lapack.hpp"
 
 namespace signorini {
 
@@ -29,18 +31,50 @@ SymmetricEigen taken_from(const Solver& solver, bool with_vectors) {
   return result;
 }
 
+/// By divide and conquer [anderson1999], of A x = lambda B x where B is given. \param job  as of dsyevd
+SymmetricEigen found_by_lapack(const Eigen::MatrixXd& A, char job, const Eigen::MatrixXd* B = nullptr) {
+  constexpr char kLower = 'L';
+  constexpr int kKind = 1;
+  const auto n = static_cast<int>(A.rows());
+  SymmetricEigen result{.converged = false, .values = Eigen::VectorXd(n), .vectors = A};
+  Eigen::MatrixXd factor;
+  if (B != nullptr) factor = *B;
+  int info = 0;
+  const auto solve = [&](double* work, int size, int* integers, int integers_size) {
+    if (B == nullptr)
+      dsyevd_(&job, &kLower, &n, result.vectors.data(), &n, result.values.data(), work, &size, integers,
+              &integers_size, &info, 1, 1);
+    else
+      dsygvd_(&kKind, &job, &kLower, &n, result.vectors.data(), &n, factor.data(), &n, result.values.data(),
+              work, &size, integers, &integers_size, &info, 1, 1);
+  };
+  double best = 0.0;
+  int best_integers = 0;
+  solve(&best, -1, &best_integers, -1);
+  std::vector<double> work(static_cast<std::size_t>(best));
+  std::vector<int> integers(static_cast<std::size_t>(best_integers));
+  solve(work.data(), static_cast<int>(work.size()), integers.data(), best_integers);
+  result.converged = info == 0;
+  return result;
+}
+
 }  // namespace
 
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A) {
   if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
   if (!lower_finite(A)) return {};
+  if (A.rows() >= kLeastForLapack) return found_by_lapack(A, 'V');
   return taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A), true);
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A) {
   SymmetricEigen found;
-  if (A.rows() > 0 && lower_finite(A))
-    found = taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly), false);
+  if (A.rows() > 0 && lower_finite(A)) {
+    found =
+        A.rows() >= kLeastForLapack
+            ? found_by_lapack(A, 'N')
+            : taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly), false);
+  }
   if (found.converged) return std::move(found.values);
   return Eigen::VectorXd::Constant(A.rows(), std::numeric_limits<double>::quiet_NaN());
 }
@@ -49,6 +83,7 @@ SymmetricEigen generalised_eigen(const Eigen::MatrixXd& A, const Eigen::MatrixXd
   if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
   if (!lower_finite(A) || !lower_finite(B) || !CholeskyFactors(B).definite())
     return {};  // Eigen does not look
+  if (A.rows() >= kLeastForLapack) return found_by_lapack(A, 'V', &B);
   return taken_from(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(A, B), true);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Eigenvalues of dense symmetric matrices, compiled once (docs/decisions/0052). Source: [golub2013], ch. 8.
+// Eigenvalues of dense symmetric matrices, compiled once, from 32 rows on by LAPACK (docs/decisions/0052).
+// Source: [golub2013], ch. 8.
 
 #include <Eigen/Core>
 

@@ -88,7 +88,10 @@ SystemDescription damped_structure(SystemLayout layout, Assembly undamped, Dampi
             require_finite(structure->mass, "system.mass");
             require_finite(structure->stiffness, "system.stiffness");
             SparseMatrix of_material = damping_matrix(damping, structure->mass, structure->stiffness);
-            if (structure->damping.nonZeros() > 0) of_material += structure->damping;
+            if (structure->damping.nonZeros() > 0)
+              of_material += structure->damping;
+            else if (const auto* factors = std::get_if<ProportionalDamping>(&damping))
+              structure->proportional = *factors;
             structure->damping.swap(of_material);
             return structure;
           }};

@@ -155,6 +155,22 @@ TEST(ProportionalDamping, IsFoundAgainFromTheMatrices) {
   EXPECT_NEAR(found->beta, 2e-5, 1e-13);
 }
 
+TEST(ProportionalDamping, IsThatOfTheAssemblyUntilTheStructureIsEdited) {
+  Problem problem = test::three_masses();
+  const auto damp = [&problem](ProportionalDamping factors) {
+    problem.edit_structure([&](Structure& s) {
+      s.damping = combination(factors, s.mass, s.stiffness);
+      s.proportional = factors;
+    });
+    return proportional_damping(*problem.structure).value();
+  };
+  EXPECT_EQ(damp({.alpha = 0.1, .beta = 1.0 / 3.0}).alpha, 0.1);
+  EXPECT_EQ(damp({.alpha = 0.1, .beta = 1.0 / 3.0}).beta, 1.0 / 3.0);
+  EXPECT_EQ(damp({.alpha = 0.1, .beta = 1e-22}).beta, 0.0) << "a part that is lost in rounding";
+  problem.edit_structure([](Structure& s) { s.damping.coeffRef(1, 1) += 1e-3; });
+  EXPECT_FALSE(proportional_damping(*problem.structure));
+}
+
 TEST(ProportionalDamping, IsNothingForADamperOfItsOwn) {
   const Structure s = chain();
   SparseMatrix D = 0.3 * s.mass + 0.02 * s.stiffness;

@@ -56,7 +56,7 @@ ReducedOrbit orbit_near(const Problem& problem, const ContactSpace& space, const
 
 std::string reduction_obstacle(const Problem& problem) {
   if (std::string obstacle = march_obstacle(problem); !obstacle.empty()) return obstacle;
-  const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
+  const auto damping = proportional_damping(*problem.structure);
   if (!damping) return "the damping is not proportional to mass and stiffness";
   if (damping->beta > 0.0 && std::holds_alternative<MixedLaws>(problem.law())) return kMixedRelaxing;
   return {};

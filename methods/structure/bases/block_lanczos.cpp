@@ -104,15 +104,28 @@ void BlockLanczos::polish_next(const Eigen::MatrixXd& waiting) {
 
 void BlockLanczos::grow() {
   if (exhausted()) return;
-  size_ += next_.cols();
-  basis_.push_back(std::move(next_));
-  extend(Eigen::MatrixXd(P_.rows(), 0));
+  extend(next_, Eigen::MatrixXd(P_.rows(), 0));
 }
 
-Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& waiting) {
+// Products with few columns at a time are several times slower: blocks join the last group while there is
+// room.
+void BlockLanczos::take_in(const Eigen::MatrixXd& block) {
+  constexpr Eigen::Index kGroup = 64;
+  size_ += block.cols();
+  if (basis_.empty() || basis_.back().cols() + block.cols() > kGroup) {
+    basis_.push_back(block);
+    return;
+  }
+  Eigen::MatrixXd& group = basis_.back();
+  group.conservativeResize(Eigen::NoChange, group.cols() + block.cols());
+  group.rightCols(block.cols()) = block;
+}
+
+Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& newest, const Eigen::MatrixXd& waiting) {
+  take_in(newest);
   // P^{-1} M V_j against the whole basis. In exact arithmetic two blocks would do; rounding brings converged
   // directions back into the newest block, and with them copies of their eigenvalues [grimes1994].
-  const Eigen::MatrixXd momentum = product_by_rows(M_, basis_.back());
+  const Eigen::MatrixXd momentum = product_by_rows(M_, newest);
   Eigen::MatrixXd columns = factors_->solve(momentum);
   // |P^{-1} m|_P^2 = m^T P^{-1} m for each column m of M V_j.
   // A power of two, by which nothing is rounded.
@@ -142,9 +155,8 @@ void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
   Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(waits, size_ + taken);  // coefficients of what waits
   rest.middleCols(size_ - coupling_.cols(), coupling_.cols()) = product_of_transposed(others, coupling_);
   const Eigen::MatrixXd waiting = dense_product(next_, others);
-  basis_.push_back(dense_product(next_, Eigen::MatrixXd(whole.leftCols(taken))));
-  size_ += taken;
-  rest.rightCols(taken) = extend(waiting);
+  const Eigen::MatrixXd newest = dense_product(next_, Eigen::MatrixXd(whole.leftCols(taken)));
+  rest.rightCols(taken) = extend(newest, waiting);
   const Eigen::Index led = next_.cols();
   Eigen::MatrixXd both(P_.rows(), waits + led);
   both << waiting, next_;
@@ -194,24 +206,32 @@ Eigen::MatrixXd BlockLanczos::projected_start() const {
   return start;
 }
 
+template <class Visit>
+void BlockLanczos::for_each_group(Eigen::Index first, Visit visit) const {
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& group : basis_) {
+    const Eigen::Index known = std::clamp<Eigen::Index>(first - at, 0, group.cols());
+    if (known == 0)
+      visit(group, at - first);
+    else if (known < group.cols())
+      visit(Eigen::MatrixXd(group.rightCols(group.cols() - known)), 0);
+    at += group.cols();
+  }
+}
+
 Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A, Eigen::Index first) const {
   Eigen::MatrixXd rows(size_ - first, A.cols());
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& block : basis_) {
-    if (at >= first)
-      rows.middleRows(at - first, block.cols()) = sparse_product_of_transposed(A, block).transpose();
-    at += block.cols();
-  }
+  for_each_group(first, [&](const Eigen::MatrixXd& group, Eigen::Index row) {
+    rows.middleRows(row, group.cols()) = sparse_product_of_transposed(A, group).transpose();
+  });
   return rows;
 }
 
 Eigen::MatrixXd BlockLanczos::projected(const Eigen::MatrixXd& A, Eigen::Index first) const {
   Eigen::MatrixXd rows(size_ - first, A.cols());
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& block : basis_) {
-    if (at >= first) rows.middleRows(at - first, block.cols()) = transposed_product(block, A);
-    at += block.cols();
-  }
+  for_each_group(first, [&](const Eigen::MatrixXd& group, Eigen::Index row) {
+    rows.middleRows(row, group.cols()) = transposed_product(group, A);
+  });
   return rows;
 }
 

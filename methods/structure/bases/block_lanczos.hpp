@@ -102,9 +102,13 @@ class BlockLanczos {
   Remainder orthonormalise(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& gram,
                            const Eigen::VectorXd& length, const Eigen::MatrixXd& waiting);
   void polish_next(const Eigen::MatrixXd& waiting);
-  // The newest block, next_ until now, has joined the basis: makes next_ of what P^{-1} M makes of it,
-  // P-orthogonal to the basis and to `waiting`, P-orthonormal columns. Returns the coefficients in waiting.
-  Eigen::MatrixXd extend(const Eigen::MatrixXd& waiting);
+  void take_in(const Eigen::MatrixXd& block);
+  // Takes `newest` into the basis and makes next_ of what P^{-1} M makes of it, P-orthogonal to the basis and
+  // to `waiting`, P-orthonormal columns. Returns the coefficients in waiting.
+  Eigen::MatrixXd extend(const Eigen::MatrixXd& newest, const Eigen::MatrixXd& waiting);
+  // Calls visit(vectors, how many after `first` they begin) for all vectors from there on.
+  template <class Visit>
+  void for_each_group(Eigen::Index first, Visit visit) const;
 
   const SparseMatrix& P_;
   const SparseMatrix& M_;
@@ -112,7 +116,7 @@ class BlockLanczos {
   Eigen::Index most_;
   bool definite_ = false;
   Eigen::Index size_ = 0;
-  std::vector<Eigen::MatrixXd> basis_;
+  std::vector<Eigen::MatrixXd> basis_;      // several blocks in each
   std::vector<Eigen::MatrixXd> projected_;  // V^T M V_j of block j, rows up to and with its own
   std::vector<Remainder> left_out_;         // of each block
   Eigen::MatrixXd left_out_of_start_;

@@ -20,35 +20,72 @@ namespace {
 // 1 / omega^2 relative to the largest, below which a Ritz value is rounding: its vector moves statically.
 constexpr double kStatic = 1e-13;
 
-/// A sum in twice the precision of its terms [ogita2005].
-struct LongSum {
-  double high = 0.0, low = 0.0;
-  void add(double a, double b) {
-    const double product = a * b, rounding = std::fma(a, b, -product);
-    const double sum = high + product, part = sum - high;
+/// Numbers that are added up side by side.
+using Lanes = Eigen::Array4d;
+constexpr Eigen::Index kLanes = 4;
+
+/// high + low = x, each of half the digits [ogita2005].
+struct Halves {
+  Lanes high, low;
+  explicit Halves(const Lanes& x) {
+    constexpr double kSplit = 134217729.0;  // 2^27 + 1
+    const Lanes scaled = kSplit * x;
+    high = scaled - (scaled - x);
+    low = x - high;
+  }
+};
+
+/// Sums in twice the precision of their terms [ogita2005]. Where a processor has no fused multiply-add that
+/// every build may use, std::fma is a call for each number: halves give the same rounding of a product.
+struct LongSums {
+  Lanes high = Lanes::Zero(), low = Lanes::Zero();
+  void add(const Lanes& a, const Halves& of_a, const Lanes& b) {
+    const Halves of_b(b);
+    const Lanes product = a * b;
+    Lanes rounding = of_a.high * of_b.high - product;
+    rounding += of_a.high * of_b.low;
+    rounding += of_a.low * of_b.high;
+    rounding += of_a.low * of_b.low;
+    const Lanes sum = high + product, part = sum - high;
     low += ((high - (sum - part)) + (product - part)) + rounding;
     high = sum;
   }
 };
 
+/// Columns by rows: those of V from `first` on, zero beyond the last.
+using LaneRows = Eigen::Matrix<double, kLanes, Eigen::Dynamic>;
+LaneRows lanes_of(const Eigen::MatrixXd& V, Eigen::Index first) {
+  LaneRows rows = LaneRows::Zero(kLanes, V.rows());
+  const Eigen::Index count = std::min(kLanes, V.cols() - first);
+  rows.topRows(count) = V.middleCols(first, count).transpose();
+  return rows;
+}
+
 /// V^T A V for symmetric A, sums in twice the precision.
 Eigen::MatrixXd long_projection(const SparseMatrix& A, const Eigen::MatrixXd& V) {
-  Eigen::MatrixXd result(V.cols(), V.cols());
-  Eigen::VectorXd high(V.rows()), low(V.rows());
-  for (Eigen::Index j = 0; j < V.cols(); ++j) {
+  const Eigen::Index count = V.cols();
+  Eigen::MatrixXd result(count, count);
+  for (Eigen::Index first = 0; first < count; first += kLanes) {
+    const LaneRows lanes = lanes_of(V, first);
+    // Row i of V^T (A V_j), j the columns in these lanes.
+    std::vector<LongSums> sums(static_cast<std::size_t>(count));
     for (int row = 0; row < A.outerSize(); ++row) {
-      LongSum sum;
-      for (SparseMatrix::InnerIterator it(A, row); it; ++it) sum.add(it.value(), V(it.row(), j));
-      high[row] = sum.high;
-      low[row] = sum.low;
-    }
-    for (Eigen::Index i = 0; i < V.cols(); ++i) {
-      LongSum sum;
-      for (Eigen::Index row = 0; row < V.rows(); ++row) {
-        sum.add(V(row, i), high[row]);
-        sum.low += V(row, i) * low[row];
+      LongSums moved;
+      for (SparseMatrix::InnerIterator it(A, row); it; ++it) {
+        const Lanes value = Lanes::Constant(it.value());
+        moved.add(value, Halves(value), lanes.col(it.row()).array());
       }
-      result(i, j) = sum.high + sum.low;
+      const Halves of_moved(moved.high);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        LongSums& sum = sums[static_cast<std::size_t>(i)];
+        sum.add(moved.high, of_moved, Lanes::Constant(V(row, i)));
+        sum.low += V(row, i) * moved.low;
+      }
+    }
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const LongSums& sum = sums[static_cast<std::size_t>(i)];
+      const Lanes row = sum.high + sum.low;
+      for (Eigen::Index j = first; j < std::min(count, first + kLanes); ++j) result(i, j) = row[j - first];
     }
   }
   return 0.5 * (result + result.transpose());
@@ -112,7 +149,7 @@ LoadColumns load_columns(const Problem& problem) {
 
 ContactColumns contact_columns(const Problem& problem) {
   ContactColumns result;
-  const auto damping = proportional_damping(problem.mass(), problem.stiffness(), problem.damping());
+  const auto damping = proportional_damping(*problem.structure);
   if (!damping) {
     result.obstacle = "the damping is not a combination of mass and stiffness";
     return result;
@@ -189,11 +226,11 @@ StaticCompliance::StaticCompliance(const Problem& problem, BlockLanczos& space, 
         space.solve(Eigen::MatrixXd(sparse_columns(all_, first, taken)) - dense_product(carried_, held));
     rest_.middleCols(first, taken) = sparse_product_of_transposed(all_, moved) -
                                      product_of_transposed(held_, transposed_product(carried_, moved));
+    const Eigen::RowVectorXd inert =
+        moved.cwiseProduct(product_by_rows(problem.mass(), moved)).colwise().sum();
     for (Eigen::Index j = 0; j < taken; ++j) {
       const double stiff = rest_(first + j, first + j);
-      if (stiff > 0.0)
-        largest_quotient_ =
-            std::max(largest_quotient_, moved.col(j).dot(sparse_image(problem.mass(), moved.col(j))) / stiff);
+      if (stiff > 0.0) largest_quotient_ = std::max(largest_quotient_, inert[j] / stiff);
     }
   }
   rest_ = (0.5 * (rest_ + rest_.transpose())).eval();

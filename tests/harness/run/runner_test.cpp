@@ -7,6 +7,7 @@
 #include "harness/build_info.hpp"
 #include "methods/plugin/sanitizer.hpp"
 #include "tests/harness/fake_method.hpp"
+#include "tests/support/structure_scenes.hpp"
 
 namespace signorini::runner_test {
 namespace {
@@ -102,6 +103,25 @@ Record run_late(const std::string& late, const OrbitSolver& solver,
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   runner.compute_references(scene, jobs);
   return runner.run(scene, jobs.front(), {.samples = 8}).value();
+}
+
+// Each process that judges an answer inherits the space of a large structure; one answer alone does not wait
+// for it.
+TEST(Runner, MakesTheSpaceOfALargeStructureOnceForAllAnswersThatAreJudgedOnIt) {
+  Scene scene = test::one_mass_scene();
+  scene.problem = test::padded_block_problem({.elements = {20, 5, 5}});
+  ASSERT_GT(scene.problem.size(), 2000);
+  const OrbitTools tools(test::free_orbits());
+  Runner runner(kLimits, tools, [](std::string_view) { return std::string("v"); });
+  const std::vector cases{test::fake_case(scene, "good"), test::fake_case(scene, "wrong_size")};
+  const std::vector<Job> jobs = runner.make_jobs(scene, cases);
+  ASSERT_EQ(jobs.size(), 2U);
+  runner.compute_references(scene, std::span(jobs).first(1));
+  EXPECT_EQ(tools.spaces->made(), 0);
+  runner.compute_references(scene, jobs);
+  EXPECT_EQ(tools.spaces->made(), 1);
+  static_cast<void>(tools.spaces->of(scene.problem));
+  EXPECT_EQ(tools.spaces->made(), 1) << "it is that of the scene";
 }
 
 TEST(Runner, StartsACaseFromTheReferenceOrbitLateByItsShareOfThePeriod) {

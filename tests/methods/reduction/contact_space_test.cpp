@@ -46,7 +46,8 @@ std::vector<SpaceCase> space_cases() {
   return {{test::massless_bar({.alpha = 0.2, .beta = 0.005}, 100), {.small = 8, .whole = 24}},
           {test::massless_bar({.alpha = 0.2, .beta = 0.005}, 100), {.small = 20, .whole = 60}},
           {test::massless_beam({.alpha = 0.2, .beta = 0.005}, 10), {.small = 11, .whole = 33}},
-          {test::padded_block_problem(small), {.small = 10, .whole = 40}}};
+          {test::padded_block_problem(small), {.small = 10, .whole = 40}},
+          {test::massless_bar({.alpha = 0.2, .beta = 0.005}, 400), {}}};
 }
 
 // eps times the condition of K: what both factorisations may lose, 2e-5 for the beam.
@@ -249,6 +250,17 @@ TEST(ContactSpace, BeginsWithCombinationsOfManyContacts) {
                 bound[n] + rounding * exact.cwiseAbs().maxCoeff())
           << each->whole().vectors() << " vectors, harmonic " << n;
     }
+  }
+}
+
+// One contact costs no more than forty do.
+TEST(ContactSpace, BeginsWithAsManyVectorsForOneContactAsForMany) {
+  constexpr Eigen::Index kBegun = 96;
+  const ContactSpace one(test::massless_bar({.alpha = 0.2, .beta = 0.005}, 400)), many(many_contacts());
+  for (const ContactSpace* space : {&one, &many}) {
+    EXPECT_GE(space->whole().vectors(), kBegun);
+    EXPECT_LT(space->whole().vectors(), kBegun + 16);
+    EXPECT_EQ(space->small().vectors(), kBegun / 2);
   }
 }
 

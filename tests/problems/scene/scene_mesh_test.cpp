@@ -112,6 +112,9 @@ TEST_F(MeshScene, IsTheSolidOfItsMesh) {
   const SparseMatrix damping =
       damping_matrix(ProportionalDamping{.alpha = 0.5, .beta = 1e-3}, expected.mass, expected.stiffness);
   EXPECT_EQ(Eigen::MatrixXd(problem.damping()), Eigen::MatrixXd(damping));
+  ASSERT_TRUE(problem.structure->proportional) << "what it was assembled by is kept";
+  EXPECT_EQ(problem.structure->proportional->alpha, 0.5);
+  EXPECT_EQ(problem.structure->proportional->beta, 1e-3);
 }
 
 TEST_F(MeshScene, HasContactsAndALoadOnGroups) {

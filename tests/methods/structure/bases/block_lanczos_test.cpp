@@ -82,7 +82,10 @@ TEST_F(BlockLanczosOfChain, GivesRitzPairsAndProjectsOtherColumns) {
   // Columns outside the space: (V^T A)^T V^T A is at most A^T P^-1 A.
   Eigen::MatrixXd others = Eigen::MatrixXd::Zero(24, 2);
   others(3, 0) = others(17, 1) = 1.0;
-  const Eigen::MatrixXd rows = space_.projected(SparseMatrix(others.sparseView()));
+  const SparseMatrix sparse = others.sparseView();
+  const Eigen::MatrixXd rows = space_.projected(sparse), newest = rows.bottomRows(width);
+  EXPECT_LE((space_.projected(sparse, before) - newest).norm(), 1e-14 * newest.norm());
+  EXPECT_LE((space_.projected(others, before) - newest).norm(), 1e-14 * newest.norm());
   const Eigen::MatrixXd missed =
       others.transpose() * CholeskyFactors(p_).solve(others) - rows.transpose() * rows;
   EXPECT_GE(symmetric_eigenvalues(missed)[0], -1e-12);
