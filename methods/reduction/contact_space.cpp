@@ -24,7 +24,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Vectors to solve on before a motion says which: the lowest.
+// Vectors to solve on where contacts are many and no motion has said which: the lowest.
 constexpr int kLowestToSolve = 48;
 // Vectors to solve on for the force of a motion: the lowest of all, whatever the force, and at most so many
 // others.
@@ -148,8 +148,10 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
     return;
   }
   given_small_ = settings.small > 0;
-  const int small = given_small_ ? settings.small : kLowestToSolve;
-  const int enough = most <= kAllOf ? static_cast<int>(most) : std::max(2 * small, kBegun);
+  const int unasked = source_->few() ? kBegun : kLowestToSolve;
+  const int small = given_small_ ? settings.small : unasked;
+  const int begun = given_small_ ? std::max(2 * small, kBegun) : kBegun;
+  const int enough = most <= kAllOf ? static_cast<int>(most) : begun;
   source_->begun = settings.whole > 0 ? settings.whole : enough;
   const bool powers = given_small_ && source_->few();
   if (powers) {
