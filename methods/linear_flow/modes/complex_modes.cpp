@@ -14,6 +14,7 @@
 #include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/products.hpp"
+#include "problems/structure.hpp"
 
 namespace signorini {
 
@@ -55,6 +56,34 @@ bool spread_far(const MassForm& form) {
   return lost_of(largest, form.size()) > kLost * least;
 }
 
+// Those with D~ = alpha + beta K~ up to what D was rounded by; none of any other D~, or where K~ is diagonal.
+std::optional<ProportionalDamping> proportional_damping(const MassForm& form) {
+  constexpr long double kRounded = 8.0 * kEpsilon;  // of D, and of springs and dashpots in it
+  const ExtendedMatrix &D = form.damping, &K = form.stiffness;
+  Index row = 0, column = 0, softest = 0;
+  long double beside = 0.0L, most = 0.0L;
+  for (Index j = 0; j < form.size(); ++j) {
+    if (K(j, j) < K(softest, softest)) softest = j;
+    for (Index i = 0; i < form.size(); ++i) {
+      most = std::max(most, std::abs(D(i, j)));
+      if (i == j || std::abs(K(i, j)) <= beside) continue;
+      beside = std::abs(K(i, j));
+      row = i;
+      column = j;
+    }
+  }
+  if (beside == 0.0L) return std::nullopt;
+  const long double beta = D(row, column) / K(row, column);
+  const long double alpha = D(softest, softest) - beta * K(softest, softest);
+  for (Index j = 0; j < form.size(); ++j) {
+    for (Index i = 0; i < form.size(); ++i) {
+      if (!(std::abs(D(i, j) - beta * K(i, j) - (i == j ? alpha : 0.0L)) <= kRounded * most))
+        return std::nullopt;
+    }
+  }
+  return ProportionalDamping{.alpha = static_cast<double>(alpha), .beta = static_cast<double>(beta)};
+}
+
 // None where a l_k is not positive.
 std::optional<RealModes> real_modes(const MassForm& form) {
   if (!form.definite) return std::nullopt;
@@ -64,18 +93,32 @@ std::optional<RealModes> real_modes(const MassForm& form) {
                  .damping = {},
                  .shapes = std::move(pairs->vectors),
                  .coupling = {}};
+  if (const auto factors = proportional_damping(form)) {
+    for (const long double square : real.squares)
+      real.damping.push_back(factors->alpha + factors->beta * square);
+    real.coupling = ExtendedMatrix(form.size(), form.size());
+    std::fill_n(real.coupling.data(), real.coupling.size(), 0.0L);
+    return real;
+  }
   real.coupling = extended::product(extended::transposed_product(real.shapes, form.damping), real.shapes);
   for (Index k = 0; k < form.size(); ++k) real.damping.push_back(std::exchange(real.coupling(k, k), 0.0L));
   return real;
 }
 
-// Whether damping couples no modes by more than D was rounded by, K~ is symmetric, and the least l_k is not
-// lost.
-bool uncoupled(const RealModes& real, const MassForm& form) {
-  constexpr long double kRounded = 2.0 * kEpsilon;  // of D
+// Whether K~ is symmetric, and the least l_k not lost: of few coordinates, of which other modes are as cheap.
+bool exact(const RealModes& real, const MassForm& form) {
   const std::vector<long double>& squares = real.squares;
-  if (!(std::max(lost_of(squares.back(), form.size()), skew_part(form.stiffness)) <= kLost * squares.front()))
-    return false;
+  return std::max(lost_of(squares.back(), form.size()), skew_part(form.stiffness)) <= kLost * squares.front();
+}
+
+bool symmetric(const ExtendedMatrix& A) {
+  constexpr long double kSymmetric = 1e-12L;
+  return skew_part(A) <= kSymmetric * extended::norm(A);
+}
+
+// Whether damping couples no modes by more than D was rounded by.
+bool uncoupled(const RealModes& real) {
+  constexpr long double kRounded = 2.0 * kEpsilon;  // of D
   long double most = 0.0L;
   for (const long double damping : real.damping) most = std::max(most, std::abs(damping));
   return extended::norm(real.coupling) <= kRounded * most;
@@ -92,8 +135,8 @@ std::optional<ComplexModes> modes_of(const RealModes& real, const MassForm& form
   Index count = 2 * n;
   for (std::size_t k = 0; k < real.squares.size(); ++k) count -= square_of_rate(k) > 0.0L ? 1 : 0;
   ComplexModes modes = modes_of_size(count, n);
-  const ExtendedMatrix shapes = extended::product(form.q_of_z, real.shapes),
-                       q_of_shapes = extended::product(form.L, real.shapes);
+  const ExtendedMatrix shapes = form.unit ? real.shapes : extended::product(form.q_of_z, real.shapes),
+                       q_of_shapes = form.unit ? real.shapes : extended::product(form.L, real.shapes);
   Index place = 0;
   // With z_k = a + b, z_k' = mu a + other b: a = (z_k' - other z_k) / (mu - other).
   const auto add = [&](Index k, ExtendedComplex mu, ExtendedComplex other) {
@@ -145,11 +188,8 @@ bool complete(const Eigen::VectorXcd& mu, const Eigen::VectorXd& weight, const E
 }
 
 std::optional<ComplexModes> weakly_coupled_modes(const RealModes& real, const MassForm& form, double rate) {
-  constexpr long double kSymmetric = 1e-12L;
   const Index n = form.size();
-  if (skew_part(form.stiffness) > kSymmetric * extended::norm(form.stiffness) ||
-      skew_part(form.damping) > kSymmetric * extended::norm(form.damping))
-    return std::nullopt;
+  if (!symmetric(form.stiffness) || !symmetric(form.damping)) return std::nullopt;
   const std::optional<WeaklyCoupled> found = weakly_coupled(real, rate);
   if (!found) return std::nullopt;
   const Index count = found->mu.size();
@@ -288,8 +328,11 @@ std::optional<ComplexModes> complex_modes(const MassForm& form, double rate) {
   const bool far = form.size() == 0 || spread_far(form);
   if (!small || !far) {
     const std::optional<RealModes> real = real_modes(form);
-    if (real && !far && uncoupled(*real, form)) return modes_of(*real, form, rate);
+    if (real && !far && exact(*real, form) && uncoupled(*real)) return modes_of(*real, form, rate);
     if (real && !small) {
+      if (symmetric(form.stiffness) && uncoupled(*real)) {
+        if (auto modes = modes_of(*real, form, rate)) return modes;
+      }
       if (auto weak = weakly_coupled_modes(*real, form, rate)) return weak;
     }
   }

@@ -4,7 +4,27 @@
 
 namespace signorini {
 
-MassForm::MassForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K) {
+namespace {
+
+bool is_identity(const ExtendedMatrix& A) {
+  for (Eigen::Index j = 0; j < A.cols(); ++j) {
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+      if (A(i, j) != (i == j ? 1.0L : 0.0L)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+MassForm::MassForm(const ExtendedMatrix& M, const ExtendedMatrix& D, const ExtendedMatrix& K)
+    : unit(is_identity(M)) {
+  if (unit) {
+    definite = true;
+    L = q_of_z = M;
+    damping = D;
+    stiffness = K;
+    return;
+  }
   extended::Cholesky mass = extended::cholesky(M);
   definite = mass.definite;
   L = std::move(mass.L);

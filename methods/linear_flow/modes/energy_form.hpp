@@ -17,10 +17,11 @@ struct MassForm {
 
   [[nodiscard]] Eigen::Index size() const { return L.rows(); }  ///< Nr
 
-  bool definite = false;     ///< M is
-  ExtendedMatrix L;          ///< Nr x Nr, lower triangular
-  ExtendedMatrix q_of_z;     ///< L^-T
-  ExtendedMatrix damping;    ///< D~, Nr x Nr
+  bool definite = false;   ///< M is
+  bool unit = false;       ///< whether M, and so L, is the identity, as of the vectors of a reduced structure
+  ExtendedMatrix L;        ///< Nr x Nr, lower triangular
+  ExtendedMatrix q_of_z;   ///< L^-T
+  ExtendedMatrix damping;  ///< D~, Nr x Nr
   ExtendedMatrix stiffness;  ///< K~, Nr x Nr
 };
 

@@ -169,6 +169,11 @@ TEST(ComplexModes, AreRealShapesWhereDampingCouplesNone) {
   EXPECT_EQ(imaginary(0.1 * K), 0.0);
   EXPECT_EQ(imaginary(0.1 * I), 0.0);
   EXPECT_GT(imaginary(0.1 * Eigen::VectorXd::Unit(n, 0).asDiagonal().toDenseMatrix()), 1e-3);
+  const Eigen::MatrixXd many = chain_stiffness(40);  // whose frequencies spread fiftyfold
+  const auto modes =
+      modes_of(Eigen::MatrixXd::Identity(40, 40), 0.3 * Eigen::MatrixXd::Identity(40, 40) + 0.1 * many, many);
+  ASSERT_TRUE(modes);
+  EXPECT_EQ(modes->shapes.imag().norm(), 0.0);
   // Coupling far below the damping itself, but above its rounding, is kept.
   Eigen::MatrixXd D = 0.1 * K;
   D(0, 1) += 1e-13;
