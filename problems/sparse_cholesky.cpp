@@ -117,9 +117,10 @@ double SparseCholesky::entries() const {
 
 double SparseCholesky::operations() const { return handle_->common.fl; }
 
-// Some columns at a time: CHOLMOD works on a copy of what it is given, and counts its entries in 32 bits.
+// Some columns at a time: CHOLMOD works on a copy of what it is given, which it keeps, and counts its entries
+// in 32 bits.
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rhs) {
-  constexpr Eigen::Index kAtOnce = 64;
+  constexpr Eigen::Index kAtOnce = 32;
   Handle& h = *handle_;
   Eigen::MatrixXd solution(rhs.rows(), rhs.cols());
   for (Eigen::Index first = 0; first < rhs.cols(); first += kAtOnce) {

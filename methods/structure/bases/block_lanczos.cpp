@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "methods/solvers/dense_products.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
@@ -104,7 +105,8 @@ void BlockLanczos::polish_next(const Eigen::MatrixXd& waiting) {
 
 void BlockLanczos::grow() {
   if (exhausted()) return;
-  extend(next_, Eigen::MatrixXd(P_.rows(), 0));
+  const Eigen::MatrixXd newest = std::move(next_);
+  extend(newest, Eigen::MatrixXd(P_.rows(), 0));
 }
 
 // Products with few columns at a time are several times slower: blocks join the last group while there is
@@ -156,6 +158,7 @@ void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
   rest.middleCols(size_ - coupling_.cols(), coupling_.cols()) = product_of_transposed(others, coupling_);
   const Eigen::MatrixXd waiting = dense_product(next_, others);
   const Eigen::MatrixXd newest = dense_product(next_, Eigen::MatrixXd(whole.leftCols(taken)));
+  next_.resize(0, 0);
   rest.rightCols(taken) = extend(newest, waiting);
   const Eigen::Index led = next_.cols();
   Eigen::MatrixXd both(P_.rows(), waits + led);

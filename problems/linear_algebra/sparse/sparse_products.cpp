@@ -1,5 +1,7 @@
 #include "problems/linear_algebra/sparse/sparse_products.hpp"
 
+#include <algorithm>
+
 namespace signorini {
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -18,8 +20,14 @@ Eigen::MatrixXd sparse_product(const Sparse& A, const Eigen::MatrixXd& B) { retu
 
 Eigen::MatrixXd product_by_rows(const Sparse& A, const Eigen::MatrixXd& B) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const RowMajor rows = B;
-  return RowMajor(A * rows);
+  constexpr Eigen::Index kAtOnce = 32;  // more would take memory, and be no faster
+  Eigen::MatrixXd C(A.rows(), B.cols());
+  for (Eigen::Index first = 0; first < B.cols(); first += kAtOnce) {
+    const Eigen::Index count = std::min(kAtOnce, B.cols() - first);
+    const RowMajor rows = B.middleCols(first, count);
+    C.middleCols(first, count) = RowMajor(A * rows);
+  }
+  return C;
 }
 
 Sparse sparse_product(const Sparse& A, const Sparse& B) { return A * B; }
