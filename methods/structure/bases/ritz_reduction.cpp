@@ -216,7 +216,7 @@ StaticCompliance::StaticCompliance(const Problem& problem, BlockLanczos& space, 
   constexpr Eigen::Index kAtOnce = 32, kMost = 40;
   const Eigen::Index lowest = std::min(kMost, space.size() / 2), count = all_.cols();
   const Eigen::MatrixXd Q = space.combined(ritz_pairs(space).vectors.rightCols(lowest));
-  carried_ = sparse_product(problem.stiffness(), Q);
+  carried_ = product_by_rows(problem.stiffness(), Q);
   held_ = sparse_product_of_transposed(all_, Q).transpose();
   rest_.resize(count, count);
   for (Eigen::Index first = 0; first < count; first += kAtOnce) {
