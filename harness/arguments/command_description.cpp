@@ -276,7 +276,8 @@ std::string man_page(const Command& program) {
       "verify found a difference, or a check failed\n.TP\n.B 2\nbad input or usage\n.TP\n.B 3\nthe filter "
       "matched "
       "nothing\n.TP\n.B 4\n"
-      "compare found a regression\n.TP\n.B 5\ninternal error\n.TP\n.B 6\na sweep is incomplete\n.TP\n.B 130\ninterrupted, resumable\n";
+      "compare found a regression\n.TP\n.B 5\ninternal error\n.TP\n.B 6\na sweep is incomplete\n.TP\n.B "
+      "130\ninterrupted, resumable\n";
   for (const auto& [section, entries] : {std::pair("FILES", std::span<const NamedThing>(kFiles)),
                                          std::pair("ENVIRONMENT", std::span<const NamedThing>(kVariables))}) {
     text += fmt::format(".SH {}\n", section);

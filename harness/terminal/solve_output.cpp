@@ -156,8 +156,8 @@ std::string stability_line(const Record& record) {
     text += fmt::format(", largest Floquet multiplier {:.4g} (modulus)", largest);
   }
   if (certified && certificate.stable == false)
-    text +=
-        fmt::format("; a machine leaves this motion: `signorini motion {}` tells what it does then", record.scene);
+    text += fmt::format("; a machine leaves this motion: `signorini motion {}` tells what it does then",
+                        record.scene);
   return named_text("stability", text);
 }
 

@@ -53,8 +53,7 @@ ScreenLines hand_over_lines(const Evaluation& evaluation) {
   for (const HandOver& one : hand_overs(evaluation))
     items.push_back(
         fmt::format("{} {} a solve", clipped(one.configuration, kLongestListed), time_text(one.beside)));
-  return items.empty() ? ScreenLines()
-                       : listed("Times leave out to hand over problem and answer:", items);
+  return items.empty() ? ScreenLines() : listed("Times leave out to hand over problem and answer:", items);
 }
 
 /// Failed and refuted cases of each configuration, those with the most first.

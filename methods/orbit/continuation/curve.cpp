@@ -176,6 +176,13 @@ std::string why_over(const SequencedOrbit& last, std::size_t points, int max_poi
   return {};
 }
 
+// Of a branch's next point: all multipliers where its step ends at a value asked for, and every so many
+// points.
+MultiplierRange range_of_next(const OrbitBranch& branch, bool asked) {
+  constexpr std::size_t kBetween = 16;
+  return asked || branch.points.size() % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
+}
+
 constexpr double kFirstStep = 0.01, kShortestStep = 1e-7;  // [CurveUnits]; below, the curve ends
 
 class Tracer {
@@ -208,12 +215,6 @@ class Tracer {
   }
 
  private:
-  // All multipliers where a step ends at a value asked for, and every so many points.
-  [[nodiscard]] MultiplierRange range(bool asked) const {
-    constexpr std::size_t kBetween = 16;
-    const bool due = result_.branch.points.size() % kBetween == 0;
-    return asked || due ? MultiplierRange::all : MultiplierRange::leading;
-  }
   [[nodiscard]] CurveStep whole_step() const { return {here_.x, here_.tangent, step_}; }
   void append() { append_point(*equations_, here_, limits_.phases, result_.branch); }
   void note(std::string_view what) { result_.notes.push_back(note_at(what, here_, family_)); }
@@ -241,7 +242,8 @@ class Tracer {
     if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
     if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
       return shorten(0.5);
-    Station next = station_at(*equations_, *tangent, range(target.has_value() || lands));
+    Station next =
+        station_at(*equations_, *tangent, range_of_next(result_.branch, target.has_value() || lands));
     if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
     const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);

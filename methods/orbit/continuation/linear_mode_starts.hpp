@@ -44,8 +44,8 @@ struct LinearModeStarts {
 ///
 /// \param family  not driven
 /// \return none where no spring holds the structure at rest, its own or that of a stop, a rigid stop is
-///         pressed at the equilibrium, or a stop is reached at rest (a gap of 0: the frequency does not depend
-///         on the energy then)
+///         pressed at the equilibrium, or a stop is reached at rest (a gap of 0: the frequency does not
+///         depend on the energy then)
 LinearModeStarts linear_mode_starts(OrbitFamily& family);
 
 /// From below the lowest frequency of the free motions of a scene without load to above those of its first

@@ -12,7 +12,7 @@
 #include "harness/files.hpp"
 #include "tests/harness/fake_method.hpp"
 
-namespace signorini {
+namespace signorini::pack_index_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ TEST(PackIndex, RefusesWhatSha256sumDoesNotPrint) {
 }
 
 }  // namespace
-}  // namespace signorini
+}  // namespace signorini::pack_index_test
