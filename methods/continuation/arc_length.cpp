@@ -97,13 +97,11 @@ bool solved(const AnyEquations& equations, double tolerance, double size, const 
 
 double size_of(const Eigen::VectorXd& x) { return std::max(1.0, x.lpNorm<Eigen::Infinity>()); }
 
-// The next of the steps with the matrix that `factors` are of and that each step since has corrected by the
-// change of R that it made, without forming it [broyden1965].
-Eigen::VectorXd secant_step(const LuFactors& factors, const Eigen::VectorXd& residual,
-                            const std::vector<Eigen::VectorXd>& steps) {
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(residual.size() + 1);
-  right.head(residual.size()) = -residual;
-  Eigen::VectorXd step = factors.solve(right);
+// The next of the steps with the matrix of `near`, which each step since has corrected by the change of R
+// that it made, without forming it [broyden1965].
+Eigen::VectorXd secant_step(const CurveFactors& near, const Eigen::VectorXd& residual,
+                            const Eigen::VectorXd& tangent, const std::vector<Eigen::VectorXd>& steps) {
+  Eigen::VectorXd step = near.solve(-residual, tangent);
   for (std::size_t j = 0; j + 1 < steps.size(); ++j)
     step += steps[j].dot(step) / steps[j].squaredNorm() * steps[j + 1];
   if (!steps.empty()) step /= 1.0 - steps.back().dot(step) / steps.back().squaredNorm();
@@ -113,42 +111,66 @@ Eigen::VectorXd secant_step(const LuFactors& factors, const Eigen::VectorXd& res
 // Empty where the residual rises, and of equations whose unknowns are put in their places on the way.
 std::optional<CorrectedPoint> corrected_by_secants(const AnyEquations& equations,
                                                    const Eigen::VectorXd& predicted,
-                                                   const Eigen::VectorXd& tangent, double tolerance) {
+                                                   const Eigen::VectorXd& tangent,
+                                                   const CorrectorLimits& limits) {
   constexpr int kSteps = 12, kLikeOneOfNewton = 3;
   Eigen::VectorXd x = predicted;
   equations.settle(x);
   if (x != predicted) return std::nullopt;
-  const Eigen::MatrixXd B = bordered_jacobian(equations, tangent);
-  if (B.rows() != B.cols() || !B.allFinite()) return std::nullopt;
-  const LuFactors factors(B);
   std::vector<Eigen::VectorXd> steps;
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kSteps; ++k) {
     if (!equations.evaluate_residual(x)) return std::nullopt;
     const double residual = equations.residual().lpNorm<Eigen::Infinity>();
     const double last = steps.empty() ? 1.0 : steps.back().lpNorm<Eigen::Infinity>();
-    if (solved(equations, tolerance, size_of(x),
+    if (solved(equations, limits.tolerance, size_of(x),
                {.residual = residual, .before = before, .step = last, .steps = k})) {
       if (!equations.evaluate(x)) return std::nullopt;
       return CorrectedPoint{std::move(x), (k + kLikeOneOfNewton - 1) / kLikeOneOfNewton};
     }
     if (!(residual < before)) return std::nullopt;
     before = residual;
-    steps.push_back(secant_step(factors, equations.residual(), steps));
-    if (!steps.back().allFinite()) return std::nullopt;
-    x += steps.back();
+    Eigen::VectorXd step = secant_step(*limits.near, equations.residual(), tangent, steps);
+    if (!step.allFinite()) return std::nullopt;
+    x += step;
+    steps.push_back(std::move(step));
   }
   return std::nullopt;
 }
 
 }  // namespace
 
+CurveFactors::CurveFactors(const AnyEquations& equations, const Eigen::VectorXd& row) {
+  const Eigen::MatrixXd B = bordered_jacobian(equations, row);
+  factors_ = std::make_shared<const LuFactors>(B);
+  along_ = factors_->solve(Eigen::VectorXd(Eigen::VectorXd::Unit(row.size(), row.size() - 1)));
+  norms_ = B.topRows(row.size() - 1).rowwise().norm().array().log().sum();
+}
+
+std::optional<Eigen::VectorXd> CurveFactors::tangent() const {
+  if (!along_.allFinite() || along_.isZero(0.0)) return std::nullopt;
+  return along_.normalized();
+}
+
+Eigen::VectorXd CurveFactors::solve(const Eigen::VectorXd& right, const Eigen::VectorXd& normal) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(right.size() + 1);
+  all.head(right.size()) = right;
+  const Eigen::VectorXd x = factors_->solve(all);
+  return x - normal.dot(x) / normal.dot(along_) * along_;
+}
+
+// With [R_x] along = 0 the row of the tangent makes |along| times what `row` does.
+double CurveFactors::relative_determinant() const {
+  const Eigen::ArrayXd pivots = factors_->pivots().array();
+  const double magnitude = std::exp(pivots.abs().log().sum() + std::log(along_.norm()) - norms_);
+  return factors_->permutation_sign() * pivots.sign().prod() * magnitude;
+}
+
 std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
                                         const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
-  constexpr double kLost = 1e3;       // of R
-  constexpr Eigen::Index kMany = 64;  // unknowns: of fewer a Jacobian is cheap
-  if (limits.secants && predicted.size() >= kMany) {
-    if (auto point = corrected_by_secants(equations, predicted, tangent, limits.tolerance)) return point;
+  constexpr double kLost = 1e3;  // of R
+  if (limits.near != nullptr) {
+    if (auto point = corrected_by_secants(equations, predicted, tangent, limits)) return point;
   }
   Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
   double before = std::numeric_limits<double>::infinity();

@@ -4,10 +4,13 @@
 #include <Eigen/Core>
 #include <concepts>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace signorini {
+
+class LuFactors;
 
 /// n equations R(x) = 0 in n + 1 unknowns, the parameter of the curve as the last one, in units in which
 /// lengths along the curve mean something: the norm is Euclidean.
@@ -45,21 +48,6 @@ template <class Equations>
 concept EvaluatesMotionAlone = requires(Equations& equations, const Eigen::VectorXd& x) {
   // Takes x as `evaluate` does; the Jacobian is then that of another point.
   { equations.evaluate_motion(x) } -> std::convertible_to<bool>;
-};
-
-/// When the corrector stops, and how it goes.
-struct CorrectorLimits {
-  int iterations = 7;        ///< Newton steps at most
-  double tolerance = 2e-13;  ///< of R, relative to the largest unknown [-]
-  /// Many equations are solved by Broyden's method from their Jacobian where they were evaluated last, near
-  /// the point wanted, and by Newton's where that fails: a Jacobian per point in place of three.
-  bool secants = false;
-};
-
-/// A point of the curve, and the Newton steps that led to it; three secant steps count as one.
-struct CorrectedPoint {
-  Eigen::VectorXd x;
-  int iterations = 0;
 };
 
 /// Equations of any kind as functions, which are compiled once: those of an object that the caller keeps.
@@ -102,6 +90,40 @@ Eigen::MatrixXd bordered_jacobian(const AnyEquations& equations, const Eigen::Ve
 /// The x of B x = (right; last; 0) for a matrix of bordered_jacobian: LU with pivoting, or least squares
 /// where conditions are held, which solve all rows as these are consistent.
 Eigen::VectorXd solve_bordered(const Eigen::MatrixXd& B, const Eigen::VectorXd& right, double last);
+
+/// Factors of [R_x; row] where equations without conditions are evaluated, and what they tell of the curve.
+class CurveFactors {
+ public:
+  /// \param row  the tangent of a point near
+  CurveFactors(const AnyEquations& equations, const Eigen::VectorXd& row);
+
+  /// As tangent_of, `row` the previous tangent.
+  [[nodiscard]] std::optional<Eigen::VectorXd> tangent() const;
+  /// The x of [R_x] x = right in the plane normal . x = 0; not finite where there is none.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right, const Eigen::VectorXd& normal) const;
+  /// det [R_x; tangent^T] over the norms of its rows [-].
+  [[nodiscard]] double relative_determinant() const;
+
+ private:
+  std::shared_ptr<const LuFactors> factors_;
+  Eigen::VectorXd along_;  // [R_x] along = 0, row . along = 1
+  double norms_;           // log of the product of those of the rows of [R_x]
+};
+
+/// When the corrector stops, and how it goes.
+struct CorrectorLimits {
+  int iterations = 7;        ///< Newton steps at most
+  double tolerance = 2e-13;  ///< of R, relative to the largest unknown [-]
+  /// Of a point near the one wanted: equations are solved by Broyden's method from its Jacobian, and by
+  /// Newton's where that fails. One Jacobian per point in place of three.
+  const CurveFactors* near = nullptr;
+};
+
+/// A point of the curve, and the Newton steps that led to it; three secant steps count as one.
+struct CorrectedPoint {
+  Eigen::VectorXd x;
+  int iterations = 0;
+};
 
 /// The point of the curve in the plane tangent . (x - predicted) = 0, by full Newton steps on [R; plane] with
 /// the Jacobian [R_x; tangent^T] and the conditions held, if any. Steps are not shortened: where Newton's

@@ -8,55 +8,15 @@
 #include <random>
 #include <vector>
 
-#include "problems/linear_algebra/lapack.hpp"
 #include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
 
-namespace {
-
 using Complex = std::complex<double>;
-
-// By the QR algorithm on blocks, several times faster than Eigen's on vectors.
-GeneralEigen general_by_lapack(Eigen::MatrixXd A, bool with_vectors) {
-  const auto n = static_cast<int>(A.rows());
-  const char left = 'N', right = with_vectors ? 'V' : 'N';
-  Eigen::VectorXd real(n), imaginary(n);
-  Eigen::MatrixXd vectors(with_vectors ? n : 1, with_vectors ? n : 1);
-  const auto stride = static_cast<int>(vectors.rows());
-  const int none = 1;
-  double unused = 0.0, best = 0.0;
-  int info = 0;
-  const auto solve = [&](double* work, int size) {
-    dgeev_(&left, &right, &n, A.data(), &n, real.data(), imaginary.data(), &unused, &none, vectors.data(),
-           &stride, work, &size, &info, 1, 1);
-  };
-  solve(&best, -1);
-  std::vector<double> work(static_cast<std::size_t>(best));
-  solve(work.data(), static_cast<int>(work.size()));
-  if (info != 0) return {};
-  GeneralEigen result{.converged = true, .values = Eigen::VectorXcd(n), .vectors = {}};
-  for (int k = 0; k < n; ++k) result.values[k] = Complex(real[k], imaginary[k]);
-  if (!with_vectors) return result;
-  result.vectors.resize(n, n);
-  for (int k = 0; k < n; ++k) {
-    const bool pair = imaginary[k] > 0.0;
-    for (int i = 0; i < n; ++i) {
-      const Complex entry(vectors(i, k), pair ? vectors(i, k + 1) : 0.0);
-      result.vectors(i, k) = entry;
-      if (pair) result.vectors(i, k + 1) = std::conj(entry);
-    }
-    if (pair) ++k;
-  }
-  return result;
-}
-
-}  // namespace
 
 GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
   if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
   if (!A.allFinite()) return {};
-  if (is_for_lapack(A)) return general_by_lapack(A, true);
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
   if (solver.info() != Eigen::Success) return {};
   return {.converged = true, .values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
@@ -66,7 +26,6 @@ Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const GeneralEigen found = [&]() -> GeneralEigen {
     if (A.rows() == 0 || !A.allFinite()) return {};
-    if (is_for_lapack(A)) return general_by_lapack(A, false);
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
     return {.converged = solver.info() == Eigen::Success, .values = solver.eigenvalues(), .vectors = {}};
   }();
@@ -75,7 +34,7 @@ Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
 
 namespace {
 
-// Orthonormal columns Q of the Krylov space of P from columns that know nothing of it.
+// Orthonormal columns Q of the Krylov space of P from its images of columns that know nothing of it.
 Eigen::MatrixXd krylov_basis(const Eigen::MatrixXd& P, Eigen::Index starts, Eigen::Index columns) {
   constexpr double kNothingNew = 1e-13;  // of a column
   std::mt19937 random(1);
@@ -85,6 +44,7 @@ Eigen::MatrixXd krylov_basis(const Eigen::MatrixXd& P, Eigen::Index starts, Eige
     Eigen::VectorXd next(P.rows());
     if (from < 0) {
       for (double& entry : next) entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+      next = image(P, next);  // what fades is no part of it
     } else {
       next = image(P, Q.col(from));
     }

@@ -1,6 +1,6 @@
 #pragma once
 // Eigenvalues of dense real matrices that need not be symmetric, compiled once (docs/decisions/0052).
-// Source: [golub2013], ch. 7. Large matrices by LAPACK, whose bits depend on the processor.
+// Source: [golub2013], ch. 7.
 
 #include <Eigen/Core>
 

@@ -15,12 +15,6 @@ void dgesdd_(const char* job, const int* m, const int* n, double* a, const int* 
 /// P A = L U, A m x n, in place; row i, from 1 on, was exchanged with row pivots[i]. info > 0: U is singular.
 // NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
 void dgetrf_(const int* m, const int* n, double* a, const int* a_stride, int* pivots, int* info);
-/// A x = mu x of A, n x n, which is overwritten: values, and right vectors for job_right 'V', 'N' none. Of a
-/// pair the value above the real axis comes first, and its vector takes two columns, Re and Im.
-// NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
-void dgeev_(const char* job_left, const char* job_right, const int* n, double* a, const int* a_stride,
-            double* real, double* imaginary, double* left, const int* left_stride, double* right,
-            const int* right_stride, double* work, const int* work_size, int* info, std::size_t, std::size_t);
 /// Eigenvalues w of symmetric A, n x n, rising, of which the triangle `uplo`, 'L' or 'U', is looked at; job
 /// 'V': A becomes its orthonormal vectors, 'N': A is lost.
 // NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it

@@ -6,7 +6,6 @@
 #include <complex>
 #include <vector>
 
-#include "methods/continuation/arc_length.hpp"
 #include "methods/flow/impact_groups.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
@@ -245,7 +244,7 @@ std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen
 }
 
 BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
-                                   MultiplierRange range) {
+                                   MultiplierRange range, const CurveFactors* factors) {
   const auto slot = [](SpecialKind kind) { return static_cast<std::size_t>(kind); };
   if (struck_together(equations)) {
     BifurcationTests continuous;
@@ -257,7 +256,9 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
   BifurcationTests tests = multipliers_at(equations, range);
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
                                  SpecialKind::branch_point, SpecialKind::phase_resonance})
-    tests.values[slot(kind)] = test_of(equations, tangent, kind, tests.multipliers);
+    tests.values[slot(kind)] = factors != nullptr && kind == SpecialKind::branch_point
+                                   ? factors->relative_determinant()
+                                   : test_of(equations, tangent, kind, tests.multipliers);
   return tests;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "methods/continuation/arc_length.hpp"
 #include "methods/orbit/continuation/orbit_branch.hpp"
 #include "methods/orbit/family/extended_equations.hpp"
 
@@ -47,8 +48,10 @@ enum class MultiplierRange {
 };
 
 /// Those of the orbit at which the equations are evaluated, `tangent` that of its curve.
+/// \param factors  of the equations there, from which the tangent is, if they are known
 BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
-                                   MultiplierRange range = MultiplierRange::all);
+                                   MultiplierRange range = MultiplierRange::all,
+                                   const CurveFactors* factors = nullptr);
 
 /// One of them alone.
 std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen::VectorXd& tangent,

@@ -176,11 +176,17 @@ std::string why_over(const SequencedOrbit& last, std::size_t points, int max_poi
   return {};
 }
 
-// Of a branch's next point: all multipliers where its step ends at a value asked for, and every so many
-// points.
-MultiplierRange range_of_next(const OrbitBranch& branch, bool asked) {
+// Of many equations, which are solved by secants; else none.
+std::shared_ptr<const CurveFactors> factors_at(ExtendedEquations& equations, const Eigen::VectorXd& row) {
+  constexpr Eigen::Index kMany = 64;
+  if (equations.size() < kMany || !equations.family().driven()) return nullptr;
+  return std::make_shared<const CurveFactors>(equations, row);
+}
+
+// All multipliers where a step ends at a value asked for, and every so many points.
+MultiplierRange range_at(std::size_t points, bool asked) {
   constexpr std::size_t kBetween = 16;
-  return asked || branch.points.size() % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
+  return asked || points % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
 }
 
 constexpr double kFirstStep = 0.01, kShortestStep = 1e-7;  // [CurveUnits]; below, the curve ends
@@ -237,13 +243,14 @@ class Tracer {
     const auto target = followed_.target(limits_.at, *equations_, here_.x);
     const bool beyond = target ? target->leaves : lands;
     if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
-    const auto tangent = tangent_of(*equations_, here_.tangent);
+    const auto factors = factors_at(*equations_, here_.tangent);
+    const auto tangent = factors ? factors->tangent() : tangent_of(*equations_, here_.tangent);
     const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(StepRules::kTurned);
     if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
     if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
       return shorten(0.5);
-    Station next =
-        station_at(*equations_, *tangent, range_of_next(result_.branch, target.has_value() || lands));
+    Station next = station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands),
+                              factors.get());
     if (rejects(next)) return reject();
     if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
     const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
@@ -269,6 +276,7 @@ class Tracer {
     if (start_.leaves == LeftBranch::none && travelled_ > kAway &&
         passes(*equations_, here_.x, next.x, start_.orbit))
       return close();
+    near_ = factors;
     accept(std::move(next), *iterations);
     if (beyond && !done_) finish(std::string(kEndOfInterval));
   }
@@ -304,7 +312,6 @@ class Tracer {
     shorten(0.2);
   }
 
-  // Moves to a located point of the step.
   bool move_to(double length) {
     if (!correct(*equations_, here_.x + length * here_.tangent, here_.tangent,
                  {.iterations = 14, .tolerance = 1e-14}))
@@ -364,6 +371,7 @@ class Tracer {
   void go_on_with(OtherUnknowns other) {
     if (!other.obstacle.empty()) return finish(std::move(other.obstacle));
     equations_ = std::move(other.equations);
+    near_.reset();
     if (before_) before_->tests.values = {};  // of other unknowns; multipliers are the orbit's
     here_ = station_at(*equations_, other.tangent);
     half_way_ = half_way(*equations_);
@@ -375,6 +383,7 @@ class Tracer {
   const CurveStart& start_;
   std::unique_ptr<ExtendedEquations> equations_;
   Station here_;
+  std::shared_ptr<const CurveFactors> near_;  // of the equations at here_, or next to it
   std::optional<TestsBefore> before_;
   Eigen::VectorXd half_way_;     // at here_
   double step_, planned_ = 0.0;  // the latter of a step that ended at a value asked for

@@ -14,10 +14,11 @@
 
 namespace signorini {
 
-Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent, MultiplierRange range) {
+Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent, MultiplierRange range,
+                   const CurveFactors* factors) {
   return {.x = equations.orbit().x,
           .tangent = tangent,
-          .tests = bifurcation_tests(equations, tangent, range),
+          .tests = bifurcation_tests(equations, tangent, range, factors),
           .survey = survey(equations)};
 }
 

@@ -22,9 +22,9 @@ struct Station {
   std::vector<TrackedGuard> tracked = {};  ///< there, once `hidden_violation` has asked for them
 };
 
-/// The orbit at which the equations are evaluated.
+/// The orbit at which the equations are evaluated; range and factors as of bifurcation_tests.
 Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
-                   MultiplierRange range = MultiplierRange::all);
+                   MultiplierRange range = MultiplierRange::all, const CurveFactors* factors = nullptr);
 
 /// The same as a point of a branch, in SI units. \param phases  of a forcing period at which it keeps its
 /// motion

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/linear_algebra/lu.hpp"
+
 namespace signorini::arc_length_test {
 namespace {
 
@@ -148,20 +150,40 @@ class LongChain {
   Eigen::MatrixXd J_;
 };
 
-TEST(ArcLength, ManyEquationsAreSolvedBySecantsFromTheJacobianBefore) {
+TEST(ArcLength, ManyEquationsAreSolvedBySecantsFromTheFactorsBefore) {
   LongChain chain(80);
   const Eigen::VectorXd begin = chain.solution(0.4);
   ASSERT_TRUE(chain.evaluate(begin));
   const Eigen::VectorXd along = Eigen::VectorXd::Unit(begin.size(), begin.size() - 1);
   Eigen::VectorXd predicted = begin;
   predicted[chain.size()] = 0.9;
-  ASSERT_TRUE(correct(chain, predicted, along, {.secants = true}));
+  const CurveFactors factors(chain, along);
+  ASSERT_TRUE(correct(chain, predicted, along, {.near = &factors}));
   EXPECT_LT((chain.x() - chain.solution(0.9)).lpNorm<Eigen::Infinity>(), 1e-12);
   EXPECT_EQ(chain.jacobians, 2) << "where it begins, and where it ends";
   const int before = chain.jacobians;
   ASSERT_TRUE(correct(chain, predicted, along, {}));
   EXPECT_LT((chain.x() - chain.solution(0.9)).lpNorm<Eigen::Infinity>(), 1e-12);
   EXPECT_GT(chain.jacobians, before + 2) << "of Newton's method";
+}
+
+TEST(ArcLength, FactorsTellTangentAndDeterminant) {
+  LongChain chain(70);
+  const Eigen::VectorXd x = chain.solution(0.4);
+  ASSERT_TRUE(chain.evaluate(x));
+  Eigen::VectorXd row = Eigen::VectorXd::Constant(x.size(), 0.1);
+  row[3] = -0.7;
+  const CurveFactors factors(chain, row);
+  const auto tangent = factors.tangent(), other = tangent_of(chain, row);
+  ASSERT_TRUE(tangent && other);
+  EXPECT_LT((*tangent - *other).norm(), 1e-14);
+  const Eigen::MatrixXd B = bordered_jacobian(chain, *tangent);
+  const double determinant = LuFactors(B).determinant() / B.rowwise().norm().prod();
+  EXPECT_NEAR(factors.relative_determinant(), determinant, 1e-12 * std::abs(determinant));
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(chain.size(), -1.0, 1.0);
+  const Eigen::VectorXd step = factors.solve(right, *tangent);
+  EXPECT_NEAR(tangent->dot(step), 0.0, 1e-13);
+  EXPECT_LT((chain.jacobian() * step - right).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
 TEST(ArcLength, NewtonGoesOnWhereSecantsFail) {
@@ -171,8 +193,9 @@ TEST(ArcLength, NewtonGoesOnWhereSecantsFail) {
   const Eigen::VectorXd along = Eigen::VectorXd::Unit(begin.size(), begin.size() - 1);
   Eigen::VectorXd predicted = begin;
   predicted[chain.size()] = 0.9;
+  const CurveFactors factors(chain, along);
   chain.moves = false;
-  ASSERT_TRUE(correct(chain, predicted, along, {.secants = true}));
+  ASSERT_TRUE(correct(chain, predicted, along, {.near = &factors}));
   EXPECT_LT((chain.x() - chain.solution(0.9)).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
