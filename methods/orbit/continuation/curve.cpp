@@ -137,7 +137,6 @@ SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& gua
                   why_order_matters(equations, guard)};
 }
 
-// What the step from a point does not decide.
 std::string note_at(std::string_view what, const Station& here, const OrbitFamily& family) {
   return fmt::format("{} at {:.10g}", what, here.x[here.x.size() - 1] * family.units().parameter);
 }
@@ -235,7 +234,8 @@ class Tracer {
     constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
     if (limits_.expired()) return finish("the time is up");
     if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
-    auto iterations = correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.secants = true});
+    auto iterations =
+        correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = near_.get()});
     const bool lands =
         !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
     if (!iterations) return shorten(0.4);
@@ -367,7 +367,6 @@ class Tracer {
     if (auto resolved = with_chatter_resolved(*equations_, here_.tangent)) go_on_with(std::move(*resolved));
   }
 
-  // The same orbit in other unknowns.
   void go_on_with(OtherUnknowns other) {
     if (!other.obstacle.empty()) return finish(std::move(other.obstacle));
     equations_ = std::move(other.equations);
