@@ -188,9 +188,22 @@ double doubling_test(ExtendedEquations& equations) {
   return relative_determinant(doubled);
 }
 
+constexpr Eigen::Index kMany = 64;  // states: the largest multipliers are cheaper than a determinant
+
+// The same by the multipliers, det J_-1 = det dh/dtheta det(M + 1): of those that are not given, as they lie
+// well inside the circle, the factors are positive. An event depends on those before it alone.
+double doubling_product(ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
+  const Eigen::Index states = equations.orbit().states(), size = equations.size();
+  const Eigen::MatrixXd& J = equations.jacobian();
+  double events = 1.0;
+  for (Eigen::Index row = states; row < size; ++row) events *= J(row, row) / J.row(row).head(size).norm();
+  Complex product = 1.0;
+  for (const Complex& mu : multipliers) product *= 1.0 + mu;
+  return events * product.real();
+}
+
 // The multipliers; none at a grazing.
 BifurcationTests multipliers_at(const ExtendedEquations& equations, MultiplierRange range) {
-  constexpr Eigen::Index kMany = 64;
   constexpr double kKnown = 1e-10, kInside = 0.9;
   const Eigen::MatrixXd M = equations.monodromy();
   if (M.size() == 0 || !M.allFinite()) return {};
@@ -209,6 +222,8 @@ std::optional<double> test_of(ExtendedEquations& equations, const Eigen::VectorX
   const bool driven = equations.family().driven(), known = multipliers.size() > 0;
   if (kind == SpecialKind::fold && (driven || !known)) return tangent[equations.size()];
   if (kind == SpecialKind::fold) return product_of_the_others(multipliers);
+  if (kind == SpecialKind::period_doubling && known && equations.orbit().states() >= kMany)
+    return doubling_product(equations, multipliers);
   if (kind == SpecialKind::period_doubling) return doubling_test(equations);
   if (kind == SpecialKind::branch_point && driven)
     return relative_determinant(bordered_jacobian(equations, tangent));
@@ -237,8 +252,9 @@ bool struck_together(const ExtendedEquations& equations) {
 
 std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
                                        SpecialKind kind) {
-  const bool needed =
-      kind == SpecialKind::neimark_sacker || (kind == SpecialKind::fold && !equations.family().driven());
+  const bool needed = kind == SpecialKind::neimark_sacker ||
+                      (kind == SpecialKind::fold && !equations.family().driven()) ||
+                      (kind == SpecialKind::period_doubling && equations.orbit().states() >= kMany);
   return test_of(equations, tangent, kind,
                  needed ? multipliers_at(equations, MultiplierRange::all).multipliers : Eigen::VectorXcd());
 }

@@ -27,8 +27,9 @@ namespace signorini {
 /// - phase resonance: LoadPhase::in_phase over the frequency. Where it falls as the frequency rises is a
 ///   resonance, where it rises an antiresonance, which is left out.
 ///
-/// Determinants are divided by the norms of their rows. Where contacts that feel each other through the mass
-/// strike at one event the map is not continuous, and the fold alone is a bifurcation.
+/// Determinants are divided by the norms of their rows; of 64 states or more that of a doubling is the
+/// product of its factors. Where contacts that feel each other through the mass strike at one event the map
+/// is not continuous, and the fold alone is a bifurcation.
 struct BifurcationTests {
   std::array<std::optional<double>, 5> values = {};  ///< in the order of SpecialKind
   Eigen::VectorXcd multipliers = {};                 ///< 2 Nd, or the largest; empty at a grazing

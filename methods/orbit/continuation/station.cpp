@@ -157,18 +157,23 @@ Eigen::VectorXd crossing_tangent(const BranchPointSolution& point, const Station
 // Those whose test functions have different signs at both ends of the step.
 StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& begin, double length,
                                  const Station& end, double inside) {
-  constexpr double kReach = 0.05;  // of the step: of a branch point located to the root of rounding
+  constexpr double kReach = 0.05;     // of the step: of a branch point located to the root of rounding
+  constexpr double kUnscaled = 1e-4;  // determinants of many equations are small wherever they are
   StepBifurcations result;
   for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
                                  SpecialKind::branch_point, SpecialKind::phase_resonance}) {
     const auto &before = begin.tests.of(kind), &after = end.tests.of(kind);
     if (!before || !after || !(*before * *after < 0.0)) continue;
+    const bool determinant = kind == SpecialKind::branch_point || kind == SpecialKind::period_doubling;
+    const double least = std::max(std::abs(*before), std::abs(*after)) / kUnscaled;
+    const double unit = determinant ? std::min(1.0, least) : 1.0;
     const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
       const auto tangent = tangent_of(at, begin.tangent);
-      return tangent ? bifurcation_test(at, *tangent, kind) : std::nullopt;
+      const auto test = tangent ? bifurcation_test(at, *tangent, kind) : std::nullopt;
+      return test ? std::optional(*test / unit) : std::nullopt;
     };
-    auto zero =
-        locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value, before, *after);
+    auto zero = locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value,
+                       *before / unit, *after / unit);
     Eigen::VectorXd across;
     if (zero && kind == SpecialKind::branch_point) {
       // On the curve's own equations it is known to the root of rounding.
