@@ -13,8 +13,9 @@ RelaxingEvents::RelaxingEvents(const ContactDynamics& dynamics, double tolerance
     if (!dynamics.halts(j) && !springs_) springs_.emplace(dynamics, tolerance);
   // beta x' and beta x'' are told from zero at the noise of xi, X, and of its rates.
   const FlowStructure& structure = dynamics.structure();
-  const double floor = event_noise(tolerance) * std::max(structure.scales.displacement,
-                                                         structure.relaxation * structure.scales.velocity);
+  const double floor =
+      event_noise(tolerance) *
+      std::max(structure.scales.displacement, structure.relaxation.maxCoeff() * structure.scales.velocity);
   orders_ = {{.derivative = 1, .floor = floor},
              {.derivative = 2, .floor = floor * dynamics.structure().fastest_rate}};
 }

@@ -33,7 +33,7 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
         dynamics_.derivatives(dynamics_.mode(closed), time, state, std::max(2, order) + (relaxing ? 2 : 0));
     Eigen::VectorXd gap;
     if (relaxing) {
-      gap = -structure.relaxation * motion.x.col(order);
+      gap = -structure.xi_times.cwiseProduct(motion.x.col(order));
     } else {
       gap = -structure.unloaded(time, motion.u.col(order), order);
     }

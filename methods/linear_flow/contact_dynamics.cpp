@@ -145,10 +145,11 @@ Eigen::MatrixXd ContactDynamics::flow_matrix(const ContactMode& mode) const {
   B.bottomLeftCorner(n, n) = from_u;
   B.bottomRightCorner(n, n) = from_v;
   if (p > n) {  // beta xi' = C_A lambda_A - xi
-    const double beta = structure_->relaxation;
-    B.middleRows(n, p - n) = product(columns_of(structure_->massless_compliance, mode.active) / beta,
-                                     stops_->free_form(mode).force_of_state);
-    B.block(n, n, p - n, p - n).diagonal().array() -= 1.0 / beta;
+    const Eigen::VectorXd rates = structure_->xi_times.cwiseInverse();
+    const Eigen::MatrixXd pushed = columns_of(structure_->massless_compliance, mode.active);
+    B.middleRows(n, p - n) =
+        product(Eigen::MatrixXd(rates.asDiagonal() * pushed), stops_->free_form(mode).force_of_state);
+    B.block(n, n, p - n, p - n).diagonal() -= rates;
   }
   return B;
 }

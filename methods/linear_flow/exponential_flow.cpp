@@ -58,18 +58,17 @@ ExponentialFlow::ExponentialFlow(ModeEquations equations) : LinearFlow(std::move
 // What relaxes alone: beta z' + z = shift.
 void ExponentialFlow::relax() {
   const RelaxingForm& relaxing = equations_.form.relaxing;
-  const double beta = equations_.structure().relaxation;
   const Eigen::Index n = equations_.free(), alone = relaxing.of_z.cols(), contacts = positions() - size();
   position_of_y_.bottomLeftCorner(contacts, n) =
       product(relaxing.of_u, position_of_y_.topLeftCorner(size(), n));
   position_of_y_.bottomRightCorner(contacts, alone) = relaxing.of_z;
   y_of_state_.block(2 * n, size(), alone, contacts) = relaxing.of_xi;
   offset_.tail(contacts) = image(relaxing.of_u, equations_.form.offset) + relaxing.offset;
-  generator_.block(2 * n, 2 * n, alone, alone).diagonal().setConstant(-1.0 / beta);
+  generator_.block(2 * n, 2 * n, alone, alone).diagonal() = -relaxing.times.cwiseInverse();
   for (Eigen::Index h = 0; h < equations_.harmonics(); ++h) {
     const Eigen::Index c = 2 * n + alone + 2 * h;
-    generator_.block(2 * n, c, alone, 1) = relaxing.shift.col(h).real() / beta;
-    generator_.block(2 * n, c + 1, alone, 1) = -relaxing.shift.col(h).imag() / beta;
+    generator_.block(2 * n, c, alone, 1) = relaxing.shift.col(h).real().cwiseQuotient(relaxing.times);
+    generator_.block(2 * n, c + 1, alone, 1) = -relaxing.shift.col(h).imag().cwiseQuotient(relaxing.times);
   }
 }
 
@@ -91,7 +90,7 @@ State ExponentialFlow::response(const std::vector<Impulse>& impulses) const {
     struck.tail(size()) = impulse.value * structure.velocity_per_impulse.col(impulse.contact);
     if (positions() > size())
       struck.segment(size(), positions() - size()) =
-          impulse.value / structure.relaxation * structure.massless_compliance.col(impulse.contact);
+          impulse.value * structure.displacement_per_impulse(impulse.contact);
     sum += image(transition(impulse.time), struck);
   }
   return {.u = sum.head(positions()), .v = sum.tail(size())};

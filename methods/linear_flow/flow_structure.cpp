@@ -39,6 +39,8 @@ FlowStructure::FlowStructure(const Problem& problem, CondensedStructure condense
   if (!obstacle.empty()) throw std::runtime_error(obstacle);
   directions = normals;
   compliance = massless_compliance;
+  if (relaxation.size() > 0 && !relaxation.isZero(0.0))
+    xi_times = (relaxation.array() > 0.0).select(relaxation, relaxation.maxCoeff());
   factors = std::make_shared<const SparseLlt>(mass);
   if (!factors->definite())
     throw std::runtime_error("the mass matrix is singular on the coordinates with mass");
@@ -78,7 +80,7 @@ std::vector<int> FlowStructure::scene_contacts() const {
 // Open contacts relax to C_oj of the forces as acting ones do to C_jj of them: with R = C_oj C_jj^-1, once
 // the beginning is forgotten,
 //
-//     x_o = N_o^T u + R (x - N^T u) + Re sum_h (s_o - R s)_h / (1 + i beta r_h) e^{i r_h t}.
+//     x_o = N_o^T u + R (x - N^T u) + Re sum_h (s_o - R s)_h / (1 + i beta_o r_h) e^{i r_h t}.
 void FlowStructure::follow_open() {
   if (open.contacts.empty()) return;
   open_rows = open.normals.transpose();
@@ -94,7 +96,8 @@ void FlowStructure::follow_open() {
     open_compliance = open.compliance.cwiseAbs().colwise().maxCoeff().transpose();
   }
   for (std::size_t h = 0; h < rates.size(); ++h)
-    open_waves.col(static_cast<Eigen::Index>(h)) /= std::complex<double>(1.0, relaxation * rates[h]);
+    for (Eigen::Index o = 0; o < open_waves.rows(); ++o)
+      open_waves(o, static_cast<Eigen::Index>(h)) /= std::complex<double>(1.0, open.relaxation[o] * rates[h]);
   open_row_norm = open_rows.rowwise().norm().maxCoeff();
 }
 
@@ -170,7 +173,7 @@ void FlowStructure::measure_rates() {
   };
   oscillation_ = std::sqrt(largest(stiffness));
   decay_ = largest(damping);
-  if (relaxation > 0.0) decay_ = std::max(decay_, 1.0 / relaxation);
+  if (relaxing() > 0) decay_ = std::max(decay_, 1.0 / xi_times.minCoeff());
 }
 
 void FlowStructure::set_frequency(double omega) {
@@ -228,9 +231,13 @@ double FlowStructure::reduced_amplitude() const {
   for (std::size_t h = 0; h < rates.size(); ++h) {
     const std::complex<double> i_rate(0.0, rates[h]);
     const auto column = static_cast<Eigen::Index>(h);
-    const auto relaxed = 1.0 + relaxation * i_rate;
-    Eigen::VectorXcd x = shift.col(column) / relaxed, open_x;
-    if (open_amplitude.size() > 0) open_x = open.shift.col(column) / relaxed;
+    const auto relaxed = [&](const Eigen::MatrixXcd& shifts, const Eigen::VectorXd& times) {
+      Eigen::VectorXcd x = shifts.col(column);
+      for (Eigen::Index j = 0; j < x.size(); ++j) x[j] /= 1.0 + times[j] * i_rate;
+      return x;
+    };
+    Eigen::VectorXcd x = relaxed(shift, relaxation), open_x;
+    if (open_amplitude.size() > 0) open_x = relaxed(open.shift, open.relaxation);
     // Displacements that are added have many harmonics, of contacts alone.
     if (!load.col(column).isZero(0.0)) {
       Eigen::VectorXcd z(size());

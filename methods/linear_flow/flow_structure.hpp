@@ -39,7 +39,7 @@ Eigen::VectorXd wave_derivative(const Eigen::MatrixXcd& amplitudes, const std::v
 /// f(t) = Re sum_h f_h e^{i r_h t} and s(t) likewise, over the rates r_h of the harmonics present. With a
 /// relaxation time beta > 0 there are Nc more positions xi, which follow u in every state,
 ///
-///     x = W^T u + xi,    beta xi' + xi = s(t) + C_0 lambda.
+///     x = W^T u + xi,    beta_j xi_j' + xi_j = (s(t) + C_0 lambda)_j.
 class FlowStructure : public CondensedStructure {
  public:
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
@@ -58,12 +58,10 @@ class FlowStructure : public CondensedStructure {
   /// Those of all: Nc that act, then No that stay open.
   [[nodiscard]] std::vector<int> scene_contacts() const;
   /// Of the parts xi: Nc with a relaxation time, else 0.
-  [[nodiscard]] int relaxing() const { return relaxation > 0.0 ? contact_count() : 0; }
+  [[nodiscard]] int relaxing() const { return static_cast<int>(xi_times.size()); }
   /// Whether xi of this contact moves: beside such stops it is 0 at one on coordinates with mass, which is
   /// rigid or a spring alone.
-  [[nodiscard]] bool relaxes(int contact) const {
-    return relaxation > 0.0 && massless_compliance(contact, contact) > 0.0;
-  }
+  [[nodiscard]] bool relaxes(int contact) const { return relaxing() > 0 && relaxation[contact] > 0.0; }
   [[nodiscard]] int positions() const { return size() + relaxing(); }  ///< Np, of u and xi
   [[nodiscard]] int states() const { return positions() + size(); }    ///< of (u, xi, v)
   /// f, Nd [N].
@@ -78,6 +76,11 @@ class FlowStructure : public CondensedStructure {
   /// order-th time derivative of s, Nc [m / s^order].
   [[nodiscard]] Eigen::VectorXd shift_at(double time, int order) const;
 
+  /// C_j / beta, which xi takes at once of an impulse at contact j, Nc [m / (N s)]. Precondition: relaxing().
+  [[nodiscard]] Eigen::VectorXd displacement_per_impulse(int contact) const {
+    return massless_compliance.col(contact).cwiseQuotient(xi_times);
+  }
+
   /// Newton's law for contacts S that take an impulse together, p as a map of v_-, |S| x Nd [kg]:
   /// W_S^T v_+ = -e W_S^T v_- with v_+ = v_- + M^-1 W_S p, hence p = -G_SS^-1 diag(1 + e) W_S^T v_-. Stops
   /// that depend on each other have a singular G_SS and share p.
@@ -89,8 +92,10 @@ class FlowStructure : public CondensedStructure {
   Eigen::MatrixXd velocity_per_impulse;      ///< M^-1 W, Nd x Nc [1/kg]
   Eigen::MatrixXd delassus;                  ///< G = W^T M^-1 W, Nc x Nc [1/kg]
   Eigen::MatrixXd compliance;  ///< C = C_0 + diag(1 / k) of springs, C_0 the massless, Nc x Nc [m/N]
-  Eigen::VectorXd gaps;        ///< g, Nc [m]
-  Eigen::VectorXd open_gaps;   ///< those of `open`, No [m]
+  /// beta of each xi, the largest of all where it stays 0; empty where none moves [s]
+  Eigen::VectorXd xi_times;
+  Eigen::VectorXd gaps;       ///< g, Nc [m]
+  Eigen::VectorXd open_gaps;  ///< those of `open`, No [m]
   /// What open contacts follow: x_o = open_rows u + open_by_contacts x + waves, where nothing relaxes with
   /// C_oj lambda in place of the second term; periodic motions, in which what relaxes has forgotten its
   /// beginning. No x Nd, No x Nc and No x Nh.

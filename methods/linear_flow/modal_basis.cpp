@@ -29,8 +29,9 @@ ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : red
   const RelaxingForm& relaxing = equations.form.relaxing;
   const Eigen::Index n = equations.free(), size = equations.size(), positions = equations.positions();
   const Eigen::Index moving = reduced.mu.size(), alone = relaxing.of_z.cols();
-  mu = Eigen::VectorXcd::Constant(moving + alone, -1.0 / std::max(equations.structure().relaxation, 1e-300));
+  mu = Eigen::VectorXcd(moving + alone);
   mu.head(moving) = reduced.mu;
+  mu.tail(alone) = -relaxing.times.cwiseInverse().cast<Complex>();
   weight = Eigen::VectorXd::Ones(moving + alone);
   weight.head(moving) = reduced.weight;
   shapes = Eigen::MatrixXcd::Zero(positions, moving + alone);

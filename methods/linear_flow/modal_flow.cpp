@@ -36,11 +36,12 @@ ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> 
 void ModalFlow::force_relaxing() {
   const RelaxingForm& relaxing = equations_.form.relaxing;
   const Eigen::Index contacts = positions() - size();
-  const double beta = equations_.structure().relaxation;
   for (Eigen::Index h = 0; h < forced_.cols(); ++h) {
-    const Complex factor = 1.0 / Complex(1.0, beta * equations_.rates()[static_cast<std::size_t>(h)]);
-    forced_.col(h).tail(contacts) = image_in_complex(relaxing.of_u, forced_.col(h).head(size())) +
-                                    image_in_complex(factor, relaxing.of_z, relaxing.shift.col(h));
+    Eigen::VectorXcd alone = relaxing.shift.col(h);
+    for (Eigen::Index k = 0; k < alone.size(); ++k)
+      alone[k] /= Complex(1.0, relaxing.times[k] * equations_.rates()[static_cast<std::size_t>(h)]);
+    forced_.col(h).tail(contacts) =
+        image_in_complex(relaxing.of_u, forced_.col(h).head(size())) + image_in_complex(relaxing.of_z, alone);
   }
   forced_.col(0).tail(contacts) += relaxing.offset.cast<Complex>();
 }
@@ -86,8 +87,9 @@ State ModalFlow::response(const std::vector<Impulse>& impulses) const {
   const FlowStructure& structure = equations_.structure();
   Eigen::MatrixXcd excited = product_by_real(basis_->left.rightCols(size()), structure.velocity_per_impulse);
   if (positions() > size())  // xi takes C p / beta at once
-    excited += product_by_real(basis_->left.middleCols(size(), positions() - size()),
-                               structure.massless_compliance / structure.relaxation);
+    excited +=
+        product_by_real(basis_->left.middleCols(size(), positions() - size()),
+                        structure.xi_times.cwiseInverse().asDiagonal() * structure.massless_compliance);
   Eigen::VectorXcd amplitude = Eigen::VectorXcd::Zero(mu().size());
   for (const Impulse& impulse : impulses) {
     for (Eigen::Index k = 0; k < amplitude.size(); ++k)

@@ -16,7 +16,8 @@ bool SharedModes::Entry::fits(const ModeEquations& equations) const {
   return equal_matrices(mass, structure.mass) && equal_matrices(damping, equations.form.damping) &&
          equal_matrices(stiffness, equations.form.stiffness) && equal_matrices(basis, equations.form.basis) &&
          equal_matrices(output_of_state, equations.output_of_state) &&
-         equal_matrices(relaxing, equations.form.relaxing.of_xi) && relaxation == structure.relaxation;
+         equal_matrices(relaxing, equations.form.relaxing.of_xi) &&
+         equal_matrices(times, equations.form.relaxing.times);
 }
 
 std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations) {
@@ -31,7 +32,7 @@ std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations
            .basis = equations.form.basis,
            .output_of_state = equations.output_of_state,
            .relaxing = equations.form.relaxing.of_xi,
-           .relaxation = structure.relaxation,
+           .times = equations.form.relaxing.times,
            .modes = modal_basis(equations)};
   return entry.modes;
 }

@@ -25,7 +25,7 @@ class SharedModes {
     SparseMatrix mass;
     Eigen::MatrixXd damping, stiffness, basis, output_of_state;  // with dashpots and springs; Q
     Eigen::MatrixXd relaxing;                                    // RelaxingForm::of_xi
-    double relaxation = 0.0;
+    Eigen::VectorXd times;                                       // RelaxingForm::times
     std::shared_ptr<const ModalBasis> modes;
 
     [[nodiscard]] bool fits(const ModeEquations& equations) const;

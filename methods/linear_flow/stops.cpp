@@ -292,7 +292,7 @@ class RelaxingStops final : public Stops {
  private:
   // beta, 0 of a spring alone.
   [[nodiscard]] double relaxation(int contact) const {
-    return structure_.relaxes(contact) ? structure_.relaxation : 0.0;
+    return structure_.relaxes(contact) ? structure_.relaxation[contact] : 0.0;
   }
   // W_A B, B with beta of each of the closed contacts on its diagonal.
   [[nodiscard]] Eigen::MatrixXd times_relaxation(const ContactMode& mode, Eigen::MatrixXd W) const {
@@ -322,8 +322,8 @@ class RelaxingStops final : public Stops {
   // The next derivative of xi: beta xi' = s + C lambda - xi.
   [[nodiscard]] Eigen::VectorXd relaxed(double time, const Eigen::Ref<const Eigen::VectorXd>& xi,
                                         const Eigen::VectorXd& lambda, int order) const {
-    return (structure_.shift_at(time, order) + image(structure_.massless_compliance, lambda) - xi) /
-           structure_.relaxation;
+    return (structure_.shift_at(time, order) + image(structure_.massless_compliance, lambda) - xi)
+        .cwiseQuotient(structure_.xi_times);
   }
 
   // xi_A = g_A - W_A^T u, xi_O = z + carried xi_A; 0 where nothing relaxes.
@@ -338,7 +338,8 @@ class RelaxingStops final : public Stops {
     RelaxingForm form{.of_u = Eigen::MatrixXd::Zero(contacts, structure_.size()),
                       .of_z = Eigen::MatrixXd::Zero(contacts, count),
                       .of_xi = Eigen::MatrixXd::Zero(count, contacts),
-                      .offset = Eigen::VectorXd::Zero(contacts)};
+                      .offset = Eigen::VectorXd::Zero(contacts),
+                      .times = entries_of(structure_.xi_times, open)};
     const Eigen::MatrixXd carried =
         product(block_of(structure_.massless_compliance, open, mode.active), response);
     const Eigen::VectorXd offset = image(carried, g);

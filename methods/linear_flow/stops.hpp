@@ -42,6 +42,7 @@ struct RelaxingForm {
   Eigen::MatrixXd of_xi = {};   ///< No x Nc [-]
   Eigen::VectorXd offset = {};  ///< Nc [m]
   Eigen::MatrixXcd shift = {};  ///< No x Nh [m]
+  Eigen::VectorXd times = {};   ///< beta of each z, No [s]
 };
 
 /// A mode's equation of motion without its constraint: u = offset + basis q, and q obeys
@@ -70,7 +71,7 @@ struct FreeForm {
 ///
 ///     W_A^T u + s_A(t) + C_AA lambda_A = g_A,    C = C_0 + diag(1 / k),    x = W^T u + s(t) + C_0 lambda.
 ///
-/// A relaxing stop, behind damped coordinates without mass (relaxation time beta), holds its contact at
+/// A relaxing stop, behind damped coordinates without mass (relaxation time beta_j), holds its contact at
 /// x_A = g_A, which is a spring and a dashpot of the structure:
 ///
 ///     lambda_A = C_AA^-1 (g_A - s_A(t) - W_A^T u - beta W_A^T u'),    C = C_0.
@@ -105,7 +106,7 @@ class Stops {
   [[nodiscard]] double scale(int contact) const {
     const MotionScales& scales = structure_.scales;
     if (rigid(contact)) return scales.acceleration;
-    const double beta = structure_.relaxes(contact) ? structure_.relaxation : 0.0;
+    const double beta = structure_.relaxes(contact) ? structure_.relaxation[contact] : 0.0;
     return std::max(scales.displacement, beta * scales.velocity);
   }
 

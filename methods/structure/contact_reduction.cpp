@@ -99,7 +99,8 @@ CondensedStructure condensed(const ContactReduction& reduction) {
   result.stiffness = diagonal(reduction.squares);
   result.normals = reduction.rows.sparseView();
   result.massless_compliance = reduction.compliance;
-  result.relaxation = reduction.compliance.isZero(0.0) ? 0.0 : reduction.relaxation;
+  result.relaxation = Eigen::VectorXd::Constant(
+      reduction.contacts(), reduction.compliance.isZero(0.0) ? 0.0 : reduction.relaxation);
   result.rates = reduction.rates;
   result.load = reduction.load;
   result.shift = reduction.shift;

@@ -9,12 +9,14 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "methods/event_driven/event_driven.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
+#include "methods/orbit/exact_trajectory.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "problems/damped_stops.hpp"
 #include "problems/validation.hpp"
@@ -231,50 +233,79 @@ TEST(DampedStop, IsMetByMethodsOfTimeAndOfFrequency) {
   }
 }
 
-constexpr double kBehind = 0.15, kSpring = 30.0;
+// A stop on one side of the mass, at `gap` there; without damping a spring alone.
+struct Side {
+  Stop stop;
+  double sign = 1.0, gap = 0.0;
+  double compressed = 0.0;
+  bool touched = false;
 
-// u of the mass between such a stop and a spring alone at -kBehind, at the ends of small steps from u, u' and
-// compression at t = 0: none looks for an event. First order in the step where the push jumps.
-std::vector<double> small_steps(const Stop& stop, const Eigen::Vector3d& start, int steps) {
-  const double h = kPeriod / steps, back = std::exp(-stop.stiffness / stop.damping * h);
-  double u = start[0], v = start[1], compressed = start[2];
-  bool touched = u - kGap >= compressed;
+  void move(double u, double kept) {
+    touched = sign * u - gap >= kept * compressed - 1e-12;
+    compressed = touched ? sign * u - gap : kept * compressed;
+  }
+  [[nodiscard]] double push(double u, double v) const {
+    const double pressed = stop.stiffness * (sign * u - gap) + stop.damping * sign * v;
+    return touched ? -sign * std::max(0.0, pressed) : 0.0;
+  }
+};
+
+// u of the mass between two stops at the ends of small steps, none of which looks for an event. First order
+// in the step where a push jumps.
+std::vector<double> small_steps(std::array<Side, 2> sides, double u, double v, int steps) {
+  const double h = kPeriod / steps;
+  for (Side& side : sides) side.move(u, 1.0);
   const auto acceleration = [&](double t, double x, double rate) {
-    const double push = touched ? std::max(0.0, stop.stiffness * (x - kGap) + stop.damping * rate) : 0.0;
-    return std::cos(kFrequency * t) - kDamping * rate - x - push + kSpring * std::max(0.0, -x - kBehind);
+    return std::cos(kFrequency * t) - kDamping * rate - x + sides[0].push(x, rate) + sides[1].push(x, rate);
   };
   std::vector<double> result;
   for (int i = 0; i < steps; ++i) {
     const double t = i * h, x = u + 0.5 * h * v, rate = v + 0.5 * h * acceleration(t, u, v);
     v += h * acceleration(t + 0.5 * h, x, rate);
     u += h * rate;
-    touched = u - kGap >= back * compressed;
-    compressed = touched ? u - kGap : back * compressed;
+    for (Side& side : sides)
+      side.move(u, side.stop.damping > 0.0 ? std::exp(-side.stop.stiffness / side.stop.damping * h) : 0.0);
     result.push_back(u);
   }
   return result;
 }
 
-TEST(DampedStop, BesideASpringAloneIsFollowed) {
-  for (const Stop& stop : {kQuick, kSlow}) {
-    SCOPED_TRACE(stop.stiffness);
-    Problem problem = scene(stop);
-    problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = kBehind, .law = Spring{kSpring}});
-    validate(problem);
+constexpr double kBehind = 0.15;
+
+Problem between(const Stop& one, const Stop& other) {
+  Problem problem = scene(one);
+  problem.contacts.push_back({.normal = {{0, -1.0}}, .gap = kBehind, .law = Spring{other.stiffness}});
+  if (other.damping > 0.0)
+    damp_stops(
+        problem,
+        {{.contact = 1, .normal = {{0, -1.0}}, .stiffness = other.stiffness, .damping = other.damping}});
+  validate(problem);
+  return problem;
+}
+
+TEST(DampedStop, BesideASpringAloneOrOneOfAnotherRatioIsFollowed) {
+  constexpr Stop kSpring{30.0, 0.0}, kOther{30.0, 6.0};
+  for (const auto& [one, other] :
+       {std::pair(kQuick, kSpring), std::pair(kSlow, kSpring), std::pair(kQuick, kOther)}) {
+    SCOPED_TRACE(one.stiffness + other.damping);
+    const Problem problem = between(one, other);
     const Solution exact = test::solve<ExactOrbitMethod>(problem, {});
     ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
-    constexpr int kInstants = 2000, kFine = 200;
-    const Samples orbit = exact.trajectory->sample(kInstants);
-    EXPECT_LT(orbit.force.col(0).minCoeff(), -0.1) << "touches its damped stop";
-    EXPECT_LT(orbit.force.col(1).minCoeff(), -0.1) << "touches its spring";
-    const double u = -orbit.x(0, 1);
-    const std::vector<double> steps =
-        small_steps(stop, {u, -orbit.velocity(0, 1), u - orbit.x(0, 0)}, kInstants * kFine);
-    double apart = 0.0;
-    for (int i = 1; i < kInstants; ++i)
-      apart = std::max(apart, std::abs(steps[static_cast<std::size_t>(i * kFine - 1)] + orbit.x(i, 1)));
+    const auto& orbit = dynamic_cast<const ExactTrajectory&>(*exact.trajectory);
+    constexpr int kInstants = 2000, kFine = 400;
+    const Samples samples = orbit.sample(kInstants);
+    EXPECT_LT(samples.force.col(0).minCoeff(), -0.1);
+    EXPECT_LT(samples.force.col(1).minCoeff(), -0.1);
+    const double u = orbit.at(0.0).u[0], v = orbit.at(0.0).v[0];
+    const double behind = other.damping > 0.0 ? -u - samples.x(0, 1) : std::max(0.0, -u - kBehind);
+    const std::vector<double> steps = small_steps(
+        {{{one, 1.0, kGap, u - samples.x(0, 0)}, {other, -1.0, kBehind, behind}}}, u, v, kInstants * kFine);
+    double apart = std::abs(steps.back() - u);  // it is periodic
+    for (int i = 1; i < kInstants; ++i) {
+      const double there = orbit.at(i * kPeriod / kInstants).u[0];
+      apart = std::max(apart, std::abs(steps[static_cast<std::size_t>(i * kFine - 1)] - there));
+    }
     EXPECT_LT(apart, 1e-4);
-    EXPECT_LT(std::abs(steps.back() - u), 1e-4) << "and is periodic";
     const Solution followed =
         test::solve<EventDriven>(problem, {.steady = EventDriven::Steady::shooting}, exact.trajectory);
     ASSERT_EQ(followed.verdict, Verdict::converged) << followed.message;

@@ -34,7 +34,7 @@ double share_of_unit(const SequenceEvent& before, const SequenceEvent& event,
                      const ContactDynamics& dynamics) {
   const bool released = before.kind == ContactEvent::Kind::open && event.kind == ContactEvent::Kind::close;
   if (!released || dynamics.rigid(event.contact) || !dynamics.halts(event.contact)) return 1.0;
-  return std::min(1.0, dynamics.structure().relaxation * dynamics.structure().frequency);
+  return std::min(1.0, dynamics.structure().relaxation[event.contact] * dynamics.structure().frequency);
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ double ExtendedEquations::ratio_at_release(Eigen::Index i) const {
     const Eigen::VectorXd felt = G(held, j);
     own -= felt.dot(ldlt_solve(G(held, held), felt));
   }
-  if (!rigid) own /= dynamics.structure().relaxation;
+  if (!rigid) own /= dynamics.structure().relaxation[j];
   return -own * dynamics.force_scale(j) / dynamics.scales().displacement;
 }
 

@@ -356,8 +356,9 @@ CondensedStructure displaced(const ContactReduction& reduction, const Eigen::Mat
     result.shift.col(column[h]) = reduction.shift.col(static_cast<Eigen::Index>(h));
   }
   for (Eigen::Index n = 0; n < added.rows(); ++n) {
-    const std::complex<double> relaxed(1.0, result.relaxation * rates[static_cast<std::size_t>(n)]);
-    result.shift.col(n) += (n == 0 ? 1.0 : 2.0) * relaxed * added.row(n).transpose();
+    const double factor = n == 0 ? 1.0 : 2.0, rate = rates[static_cast<std::size_t>(n)];
+    for (Eigen::Index j = 0; j < added.cols(); ++j)
+      result.shift(j, n) += factor * std::complex<double>(1.0, result.relaxation[j] * rate) * added(n, j);
   }
   result.rates = std::move(rates);
   return result;

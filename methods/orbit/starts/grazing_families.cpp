@@ -91,7 +91,7 @@ std::optional<TouchResponse> response_to(OrbitFamily& family, const SequencedOrb
   own_displacement.head(n) = structure.directions.col(contact).transpose() * family.units().displacement;
   if (structure.relaxing() > 0) {  // what pushes a damped stop moves its face at once
     result.impulse.segment(n, structure.relaxing()) =
-        structure.massless_compliance.col(contact) / (structure.relaxation * family.units().displacement);
+        structure.displacement_per_impulse(contact) / family.units().displacement;
     own_displacement[n + contact] = family.units().displacement;
   }
   Eigen::MatrixXd instants(m, states);

@@ -15,24 +15,63 @@ namespace signorini {
 
 namespace {
 
+constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
+
 // Whether rows or columns of A at the picked coordinates hold more than the rounding of an assembly, in which
 // element contributions that should cancel do so only to precision: that of a matrix with entries up to
 // `scale`.
 bool touches(const SparseMatrix& A, const SparseMatrix& picked, double scale) {
-  constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
   return largest_entry(SparseMatrix(A * picked)) > kRoundOff * scale ||
          largest_entry(SparseMatrix(picked.transpose() * A)) > kRoundOff * scale;
 }
 
-// beta of D_b. = beta K_b., D_.b = beta K_.b; empty where the damping at b is of another form.
-std::optional<double> relaxation_at(const Problem& problem, const SparseMatrix& b) {
+// beta of each massless coordinate, D_b. = beta K_b., D_.b = K_.b beta: that of all where there is one. Empty
+// where the damping at b is of another form.
+std::optional<Eigen::VectorXd> relaxation_at(const Problem& problem, const SparseMatrix& b) {
   const SparseMatrix &D = problem.damping(), &K = problem.stiffness();
   const double scale = largest_entry(D);
-  if (!touches(D, b, scale)) return 0.0;
+  Eigen::VectorXd beta = Eigen::VectorXd::Zero(b.cols());
+  if (!touches(D, b, scale)) return beta;
   const SparseMatrix D_b = D * b, K_b = K * b;
-  const double beta = D_b.cwiseProduct(K_b).sum() / K_b.squaredNorm();
-  if (!(beta > 0.0) || touches(SparseMatrix(D - beta * K), b, scale)) return std::nullopt;
+  beta.setConstant(D_b.cwiseProduct(K_b).sum() / K_b.squaredNorm());
+  if (beta[0] > 0.0 && !touches(SparseMatrix(D - beta[0] * K), b, scale)) return beta;
+  for (Eigen::Index k = 0; k < beta.size(); ++k) {
+    const bool damped = D_b.col(k).norm() > kRoundOff * scale;
+    beta[k] = damped ? D_b.col(k).dot(K_b.col(k)) / K_b.col(k).squaredNorm() : 0.0;
+  }
+  const SparseMatrix of_columns = D_b - SparseMatrix(K_b * beta.asDiagonal());
+  const SparseMatrix of_rows =
+      SparseMatrix(b.transpose() * D) - SparseMatrix(beta.asDiagonal() * SparseMatrix(b.transpose() * K));
+  const double off = std::max(largest_entry(of_columns), largest_entry(of_rows));
+  if (!(beta.minCoeff() >= 0.0) || off > kRoundOff * scale) return std::nullopt;
   return beta;
+}
+
+// beta of each contact from those of the massless coordinates b that it moves, K_bb^-1 W_b; in `obstacle` why
+// it has none.
+Eigen::VectorXd relaxation_of_contacts(const MasslessElimination& seen, const Eigen::VectorXd& beta,
+                                       std::string& obstacle) {
+  constexpr double kSame = 1e-12;
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(seen.normals.cols());
+  const double most = beta.size() > 0 ? beta.maxCoeff() : 0.0;
+  if (!(most > 0.0)) return result;
+  for (int j = 0; j < seen.following.outerSize(); ++j) {
+    double least = most;
+    bool moves = false;
+    for (SparseMatrix::InnerIterator it(seen.following, j); it; ++it) {
+      if (it.value() == 0.0) continue;
+      moves = true;
+      least = std::min(least, beta[it.row()]);
+      result[j] = std::max(result[j], beta[it.row()]);
+    }
+    if (moves && least < (1.0 - kSame) * result[j])
+      obstacle = fmt::format("contact {} is on coordinates without mass that relax in different times", j);
+    if (moves && result[j] == 0.0)
+      obstacle = fmt::format(
+          "contact {} is on a coordinate without mass or damping, beside others without mass that are damped",
+          j);
+  }
+  return result;
 }
 
 // Whether the rows of K at b are its columns there, to the rounding of an assembly.
@@ -40,18 +79,28 @@ bool pulls_back(const SparseMatrix& K, const SparseMatrix& b) {
   return is_symmetric(K) || !touches(SparseMatrix(K - SparseMatrix(K.transpose())), b, largest_entry(K));
 }
 
-// K_ib K_bb^-1 K_bi: by what the massless coordinates soften the others.
-SparseMatrix softening(const SparseMatrix& K, const SparseMatrix& i, const SparseMatrix& b) {
+// By what the massless coordinates soften the others, K_ib K_bb^-1 K_bi, and the same of their damping, K_ib
+// K_bb^-1 beta K_bi.
+struct Softening {
+  SparseMatrix stiffness, damping;
+};
+
+Softening softening(const SparseMatrix& K, const SparseMatrix& i, const SparseMatrix& b,
+                    const Eigen::VectorXd& beta) {
   const SparseMatrix K_bi = b.transpose() * K * i;
   const SparseLdlt stiffness(SparseMatrix(b.transpose() * K * b));
   const SparseMatrix follows = stiffness.solve(K_bi);  // u_b = -follows u_i
-  const SparseMatrix pulled = K_bi.transpose() * follows;
   // Symmetric but for the rounding of the solves; methods rely on exact symmetry.
-  return 0.5 * (pulled + SparseMatrix(pulled.transpose()));
+  const auto symmetric = [](const SparseMatrix& A) -> SparseMatrix {
+    return 0.5 * (A + SparseMatrix(A.transpose()));
+  };
+  const SparseMatrix relaxing = beta.asDiagonal() * follows;
+  return {.stiffness = symmetric(SparseMatrix(K_bi.transpose() * follows)),
+          .damping = symmetric(SparseMatrix(K_bi.transpose() * relaxing))};
 }
 
-// Mass, damping and stiffness of the coordinates with mass and the relaxation time of the others, or the
-// obstacle.
+// Mass, damping and stiffness of the coordinates with mass and the relaxation times of the contacts on
+// others, or the obstacle.
 void condense_massless(const Problem& problem, const MasslessElimination& seen, CondensedStructure& result) {
   const SparseMatrix i = coordinate_selection(seen.kept, problem.size());
   const SparseMatrix b = coordinate_selection(seen.massless, problem.size());
@@ -59,22 +108,20 @@ void condense_massless(const Problem& problem, const MasslessElimination& seen, 
     result.obstacle = "a circulatory force acts on coordinates without mass";
     return;
   }
-  const std::optional<double> relaxation = relaxation_at(problem, b);
+  const std::optional<Eigen::VectorXd> relaxation = relaxation_at(problem, b);
   if (!relaxation) {
-    result.obstacle =
-        "the damping of coordinates without mass, as faces of damped stops are, is not the same multiple of "
-        "their stiffness";
+    result.obstacle = "the damping of coordinates without mass is not proportional to their stiffness";
     return;
   }
   result.obstacle = seen.obstacle;  // their stiffness is singular
   if (!result.obstacle.empty()) return;
-  result.relaxation = *relaxation;
+  result.relaxation = relaxation_of_contacts(seen, *relaxation, result.obstacle);
+  if (!result.obstacle.empty()) return;
+  const Softening softened = softening(problem.stiffness(), i, b, *relaxation);
   result.mass = i.transpose() * problem.mass() * i;
   result.damping = i.transpose() * problem.damping() * i;
-  result.stiffness = i.transpose() * problem.stiffness() * i;
-  const SparseMatrix softened = softening(problem.stiffness(), i, b);
-  result.stiffness -= softened;
-  if (*relaxation > 0.0) result.damping -= *relaxation * softened;
+  result.stiffness = SparseMatrix(i.transpose() * problem.stiffness() * i) - softened.stiffness;
+  if (relaxation->maxCoeff() > 0.0) result.damping -= softened.damping;
 }
 
 }  // namespace
@@ -91,6 +138,7 @@ CondensedStructure condense(const Problem& problem, int most) {
     result.mass = problem.mass();
     result.damping = problem.damping();
     result.stiffness = problem.stiffness();
+    result.relaxation = Eigen::VectorXd::Zero(seen.normals.cols());
   } else {
     condense_massless(problem, seen, result);
   }
@@ -98,8 +146,6 @@ CondensedStructure condense(const Problem& problem, int most) {
   result.kept = std::move(seen.kept);
   result.normals = std::move(seen.normals);
   result.massless_compliance = std::move(seen.compliance);
-  // Where no contact acts on massless coordinates, nothing relaxes.
-  if (result.massless_compliance.isZero(0.0)) result.relaxation = 0.0;
   result.rates = std::move(seen.rates);
   result.load = std::move(seen.load);
   result.shift = std::move(seen.shift);
@@ -116,11 +162,13 @@ CondensedStructure with_open_contacts(CondensedStructure all, const std::vector<
   all.open = {.contacts = open,
               .normals = normals(Eigen::all, open),
               .compliance = all.massless_compliance(open, acting),
-              .shift = all.shift(open, Eigen::all)};
+              .shift = all.shift(open, Eigen::all),
+              .relaxation = all.relaxation(open)};
   all.acting = acting;
   all.normals = Eigen::MatrixXd(normals(Eigen::all, acting)).sparseView();
   all.massless_compliance = all.massless_compliance(acting, acting).eval();
   all.shift = all.shift(acting, Eigen::all).eval();
+  all.relaxation = all.relaxation(acting).eval();
   return all;
 }
 
@@ -132,10 +180,10 @@ std::string flow_obstacle(const Problem& problem) {
   const CondensedStructure structure = condense(problem);
   if (!structure.obstacle.empty()) return structure.obstacle;
   const Eigen::VectorXd springs = stop_compliance(problem);
-  for (int j = 0; structure.relaxation > 0.0 && j < problem.contact_count(); ++j) {
-    if (springs[j] > 0.0 && structure.massless_compliance(j, j) > 0.0) return spring_on_relaxing(j);
+  for (int j = 0; j < problem.contact_count(); ++j) {
+    if (springs[j] > 0.0 && structure.relaxation[j] > 0.0) return spring_on_relaxing(j);
   }
-  if (structure.relaxation > 0.0 && problem.size() > kMostRelaxing)
+  if (!structure.relaxation.isZero(0.0) && problem.size() > kMostRelaxing)
     return fmt::format("{} coordinates: at most {} are followed through time where massless ones are damped",
                        problem.size(), kMostRelaxing);
   const SparseLlt mass(structure.mass);

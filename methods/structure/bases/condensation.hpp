@@ -16,10 +16,12 @@ struct OpenContacts {
   Eigen::MatrixXd normals;     ///< N_o, Nd x No [-]
   Eigen::MatrixXd compliance;  ///< C_oj, by which the forces of the others move them, No x Nc [m/N]
   Eigen::MatrixXcd shift;      ///< s_o, No x Nh [m]
+  Eigen::VectorXd relaxation;  ///< beta of each, No [s]
 };
 
 /// A scene in its coordinates with mass i. With b those without, K_bb positive definite and the damping there
-/// proportional to the stiffness, D_b. = beta K_b. with beta >= 0,
+/// proportional to the stiffness, D_b. = beta K_b. with beta >= 0, a diagonal matrix whose entries differ
+/// only between coordinates that K_bb does not couple, as faces of damped stops,
 ///
 ///     (1 + beta d/dt) (K_bi u_i + K_bb u_b) = f_b + W_b lambda,
 ///
@@ -27,7 +29,7 @@ struct OpenContacts {
 /// their own that relaxes:
 ///
 ///     M u_i'' + D u_i' + S u_i = f_i - K_ib K_bb^-1 f_b + N lambda,
-///     M = M_ii,   S = K_ii - K_ib K_bb^-1 K_bi,   D = D_ii - beta K_ib K_bb^-1 K_bi,
+///     M = M_ii,   S = K_ii - K_ib K_bb^-1 K_bi,   D = D_ii - K_ib K_bb^-1 beta K_bi,
 ///     x = N^T u_i + xi,   beta xi' + xi = s(t) + C lambda,
 ///     N = W_i - K_ib K_bb^-1 W_b,   C = W_b^T K_bb^-1 W_b,   s = W_b^T K_bb^-1 f_b.
 ///
@@ -46,8 +48,9 @@ struct CondensedStructure {
   SparseMatrix normals;                 ///< N, Nd x Nc [-]
   Eigen::MatrixXd massless_compliance;  ///< C, by which a force moves the contacts at once or, relaxing, in
                                         ///< the end, Nc x Nc [m/N]
-  /// beta, the time in which xi relaxes to s + C lambda; 0 where it follows at once, or there is none [s].
-  double relaxation = 0.0;
+  /// beta of each contact, the time in which its xi relaxes to s + C lambda; 0 where it follows at once, or
+  /// is none. Of contacts whose beta differ C is 0. Nc [s]
+  Eigen::VectorXd relaxation = {};
   /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
   std::vector<double> rates;
   Eigen::MatrixXcd load;   ///< of e^{i h omega t}, its real part to be taken; Nd x Nh [N]
@@ -65,7 +68,8 @@ inline constexpr int kMostInTime = 10000;
 inline constexpr int kMostRelaxing = 1000;
 
 /// Sparse throughout, but for C and the columns of load and shift. Obstacles: more than `most` coordinates;
-/// at massless ones, damping that is not proportional to the stiffness, or an unsymmetric stiffness.
+/// at massless ones, damping that is not proportional to the stiffness, or an unsymmetric stiffness; contacts
+/// on such as relax in different times, or some of which relax and others follow at once.
 CondensedStructure condense(const Problem& problem, int most = kMostInTime);
 
 /// The same structure with some of its contacts, the others staying open. A contact without a force changes

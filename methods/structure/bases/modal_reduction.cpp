@@ -55,7 +55,9 @@ ContactReduction modal_reduction(const Problem& problem) {
   if (!is_decoupled(D)) return refused("the damping couples modes");
   ContactReduction result;
   result.damping = D.diagonal().cwiseMax(0.0);
-  result.relaxation = whole.relaxation;
+  if (whole.relaxation.size() > 0) result.relaxation = whole.relaxation.maxCoeff();
+  for (const double beta : whole.relaxation)
+    if (beta > 0.0 && beta != result.relaxation) return refused("contacts relax in different times");
   result.squares = theta.cwiseInverse();
   result.rows = (whole.normals.transpose() * phi).transpose();
   result.compliance = std::move(whole.massless_compliance);

@@ -51,7 +51,7 @@ State at_stops(const ContactDynamics& dynamics, double time, const Eigen::Vector
   const FlowStructure& s = dynamics.structure();
   State state = dynamics.at_rest();
   state.u.tail(s.contact_count()) = s.gaps;
-  const Eigen::VectorXd relaxed = (s.shift_at(time, 0) - s.gaps) / s.relaxation;
+  const Eigen::VectorXd relaxed = (s.shift_at(time, 0) - s.gaps).cwiseQuotient(s.relaxation);
   state.v = least_norm_solve(s.directions.transpose(), Eigen::VectorXd(a - relaxed));
   return state;
 }
@@ -71,7 +71,7 @@ TEST(RelaxingEvents, ContactsThatPushAreTheAdmissibleSet) {
       expected[static_cast<std::size_t>(j)] = ((trial >> j) & 1U) != 0;
       (expected[static_cast<std::size_t>(j)] ? push : leaving)[j] = draw(generator);
     }
-    const Eigen::Vector3d a = structure.massless_compliance * push / structure.relaxation - leaving;
+    const Eigen::Vector3d a = structure.massless_compliance * push / structure.relaxation[0] - leaving;
     EXPECT_EQ(events.place(0.4, at_stops(dynamics, 0.4, a)).closed, expected) << trial;
   }
 }

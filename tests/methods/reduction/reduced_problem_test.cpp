@@ -51,7 +51,7 @@ TEST(ReducedProblem, CondensesToTheReduction) {
   ASSERT_EQ(back.obstacle, "");
   EXPECT_NEAR(back.massless_compliance(0, 0), space.small().compliance(0, 0),
               1e-10 * space.small().compliance(0, 0));
-  EXPECT_NEAR(back.relaxation, kStiff.beta, 1e-12);
+  EXPECT_NEAR(back.relaxation[0], kStiff.beta, 1e-12);
 }
 
 // A spring beside a massless contact, both on coordinates without mass: as many vectors as masses leave
