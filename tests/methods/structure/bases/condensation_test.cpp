@@ -56,7 +56,7 @@ void expect_same_receptance(const Problem& problem) {
         stiffness(condensed.mass, condensed.damping, condensed.stiffness, w));
     const Eigen::MatrixXcd C = W.transpose() * whole.solve(W);
     const Eigen::VectorXcd relaxing =
-        (1.0 + Complex(0.0, w) * condensed.relaxation.cast<Complex>().array()).inverse().matrix();
+        (Complex(1.0) + Complex(0.0, w) * condensed.relaxation.cast<Complex>().array()).inverse().matrix();
     const Eigen::MatrixXcd C_condensed =
         N.transpose() * reduced.solve(N) +
         relaxing.asDiagonal() * Eigen::MatrixXcd(condensed.massless_compliance.cast<Complex>());
