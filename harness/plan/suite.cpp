@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
@@ -68,10 +69,13 @@ std::vector<SuiteResponse> responses_of_suite(const SceneField& field, const fs:
   std::vector<SuiteResponse> responses;
   if (!field.given()) return responses;
   for (const SceneField& item : field.items("must be tables with scene, from and to")) {
-    item.allow_only({"scene", "from", "to", "orders"}, "must be a table with scene, from, to and orders");
+    item.allow_only({"scene", "from", "to", "hz", "orders"},
+                    "must be a table with scene, from, to, hz and orders");
+    const bool hertz = item["hz"].given() && item["hz"].truth("must be true or false");
+    const double unit = hertz ? 2.0 * std::numbers::pi : 1.0;
     SuiteResponse response{.scene = scene_of_suite(item["scene"].text("must be a scene"), folder),
-                           .from = item["from"].number("must be a positive frequency", 0.0),
-                           .to = item["to"].number("must be a positive frequency", 0.0),
+                           .from = unit * item["from"].number("must be a positive frequency", 0.0),
+                           .to = unit * item["to"].number("must be a positive frequency", 0.0),
                            .orders = item["orders"].whole_or(2, "must be a whole number in 1..12", 1, 12)};
     if (response.from == 0.0) item["from"].refuse("must be a positive frequency");
     if (response.to == 0.0 || response.to == response.from)

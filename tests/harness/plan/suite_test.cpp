@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "harness/failure.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -82,7 +84,7 @@ TEST(ParseSuite, ReadsLimitsAndExpectedFailures) {
 TEST(ParseSuite, ReadsResponses) {
   const Suite suite = parse_suite(
       "schema = 1\nname=\"s\"\ntitle=\"t\"\nby_steps=[\"event-driven\"]\n[[response]]\nscene=\"sdof-stop\"\n"
-      "from=2.0\nto=1.0\norders=3\n[[response]]\nscene=\"own.toml\"\nfrom=1\nto=2\n",
+      "from=2.0\nto=1.0\norders=3\n[[response]]\nscene=\"own.toml\"\nfrom=1\nto=2\nhz=true\n",
       "suites/x.toml");
   ASSERT_EQ(suite.responses.size(), 2U);
   EXPECT_EQ(suite.responses[0].scene, "sdof-stop");
@@ -91,6 +93,8 @@ TEST(ParseSuite, ReadsResponses) {
   EXPECT_EQ(suite.responses[0].orders, 3);
   EXPECT_EQ(suite.responses[1].scene, "suites/own.toml");  // as files of `scenes`
   EXPECT_EQ(suite.responses[1].orders, 2);
+  EXPECT_EQ(suite.responses[1].from, 2.0 * std::numbers::pi);
+  EXPECT_EQ(suite.responses[1].to, 4.0 * std::numbers::pi);
   EXPECT_EQ(suite.by_steps, (std::vector<std::string>{"event-driven"}));
 }
 
