@@ -63,6 +63,7 @@ CAMPAIGNS = {
     "documented": (documented.pairs, 40, 1000),
     "crashed": (documented.crashed, 10, 10),
     "traps": (documented.traps, 40, 500),
+    "busy": (run_attacks.busy, 1, 2),
     "surroundings": (surroundings.surroundings, 12, 200),
     "load": (load.campaign_of, 40, 1000),
 }

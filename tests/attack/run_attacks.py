@@ -197,3 +197,33 @@ def read_lines_that_are_records(file):
             yield from (record for record in read_records(part) if {"key", "case", "status"} <= set(record))
         except (ValueError, TypeError, UnicodeDecodeError):
             continue
+
+
+SUITES = ("smoke", "article")  # the latter takes an hour
+BUSY_PROCESSES = 6
+
+
+def verdicts(run):
+    """What does not depend on how much else the machine does."""
+    return {record["case"]: (record["status"], record["certificate"]["status"]) for record in read_records(run)}
+
+
+def busy(program, random, count, folder, findings):
+    """Suites on a machine as it is, and beside busy processes of the same nice value."""
+    campaign = Campaign(f"suites beside {BUSY_PROCESSES} busy processes, at `nice 19`", findings)
+    for suite in SUITES[:count]:
+        run = ["run", suite, "--repetitions", "1", "--out"]
+        campaign.count(program.run([*run, f"{suite}-quiet"], folder, 7200.0))
+        others = [subprocess.Popen(["nice", "-n", "19", "sh", "-c", "while :; do :; done"]) for _ in range(BUSY_PROCESSES)]
+        try:
+            outcome = campaign.count(program.run([*run, f"{suite}-busy"], folder, 7200.0, ("nice", "-n", "19")))
+        finally:
+            for other in others:
+                other.kill()
+                other.wait()
+        found = program.violations(outcome, (0, 1))
+        quiet, now = verdicts(folder / f"{suite}-quiet"), verdicts(folder / f"{suite}-busy")
+        found += [f"{case}: {now.get(case)} where it was {quiet.get(case)}" for case in quiet.keys() | now.keys()
+                  if quiet.get(case) != now.get(case)]
+        campaign.judge(found, f"run {suite}, {len(quiet)} cases")
+    yield campaign
