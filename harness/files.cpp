@@ -99,6 +99,13 @@ class Draft {
   int folder_ = -1, descriptor_ = -1, reason_ = 0;
 };
 
+/// \throws UsageError for what is no file, or leads to what is none: root would rename a file over /dev/null
+void require_no_device(const std::filesystem::path& file) {
+  struct stat found {};
+  if (stat(file.c_str(), &found) != 0 || S_ISREG(found.st_mode) || S_ISDIR(found.st_mode)) return;
+  throw UsageError(fmt::format("out = {} (must be a file, and no device or pipe)", file.string()));
+}
+
 }  // namespace
 
 void write_whole(const std::filesystem::path& file, std::string_view text) {
@@ -106,6 +113,7 @@ void write_whole(const std::filesystem::path& file, std::string_view text) {
 }
 
 void write_whole(const std::filesystem::path& file, const std::function<void(const TextSink&)>& write) {
+  require_no_device(file);
   Draft draft(file);
   write([&](std::string_view piece) { draft.add(piece); });
   if (const int reason = draft.keep(); reason != 0) {

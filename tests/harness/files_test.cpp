@@ -66,6 +66,17 @@ TEST(Files, GoIntoTheFolderThatWasThereAtTheirBeginning) {
   EXPECT_TRUE(fs::is_empty(others));
 }
 
+TEST(Files, DoNotTakeThePlaceOfDevicesAndPipes) {
+  const std::filesystem::path folder = test::fresh_folder("files");
+  std::filesystem::create_symlink("/dev/null", folder / "link");
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const std::filesystem::path& file :
+       {std::filesystem::path("/dev/null"), folder / "link", folder / "pipe"})
+    EXPECT_THROW(write_whole(file, "text"), UsageError) << file;
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+}
+
 TEST(RequireOwnFile, TakesAFileWithOneNameOrNone) {
   const std::filesystem::path folder = test::fresh_folder("files");
   write_whole(folder / "own", "precious");
