@@ -64,7 +64,10 @@ void limit_soft(int resource, rlim_t value) {
 }
 
 /// Limit of processor time that the system keeps, in whole seconds: later than the parent ends a child.
-rlim_t processor_seconds(double seconds) { return static_cast<rlim_t>(std::ceil(seconds)) + 1; }
+rlim_t processor_seconds(double seconds) {
+  constexpr double kForever = 1e12;
+  return seconds < kForever ? static_cast<rlim_t>(std::ceil(seconds)) + 1 : RLIM_INFINITY;
+}
 
 /// Address space that this process has mapped [bytes].
 rlim_t mapped_bytes() {
