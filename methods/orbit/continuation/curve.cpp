@@ -157,7 +157,7 @@ void record(LocatedBifurcation found, TracedCurve& result) {
   add(std::move(found.special), std::move(found.special_orbit), result);
 }
 
-// The orbit at which the equations are evaluated as the next point of a branch.
+// The equations' orbit as the next point of a branch.
 void append_point(const ExtendedEquations& equations, const Station& here, int phases, OrbitBranch& branch) {
   branch.points.push_back(solution_point(equations, here, phases));
   branch.orbits.push_back(orbit_at(equations));
@@ -188,7 +188,7 @@ MultiplierRange range_at(std::size_t points, bool asked) {
   return asked || points % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
 }
 
-constexpr double kFirstStep = 0.01, kShortestStep = 1e-7;  // [CurveUnits]; below, the curve ends
+constexpr double kFirstStep = 0.01, kShort = 1e-4, kShortestStep = 1e-7;  // takes any turn; the curve ends
 
 class Tracer {
  public:
@@ -230,7 +230,6 @@ class Tracer {
 
   // One attempt at a step: taken, or shortened.
   void advance() {
-    constexpr double kShort = 1e-4;         // a step at which every turn is taken
     constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
     if (limits_.expired()) return finish("the time is up");
     if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
@@ -259,8 +258,7 @@ class Tracer {
     if (unseen) note("whether a contact passes its stop between two points is not decided");
     const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
     if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
-    // Where a phase of contact of no length begins tests vanish too; so they do at a doubling, where the
-    // parameter turns and the equations are known to the root of rounding.
+    // Tests vanish too where a phase of no length begins, and at a doubling to the root of rounding.
     constexpr double kBefore = 1.0 - 1e-6, kAtDoubling = 1e-3;  // of the step; of length
     const double inside = std::min({step_, crossing ? kBefore * crossing->length : step_,
                                     halved ? std::max(0.0, *halved - kAtDoubling) : step_});
