@@ -7,9 +7,8 @@
 #include <cstddef>
 #include <deque>
 #include <new>
+#include <unsupported/Eigen/FFT>
 #include <vector>
-
-#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
@@ -81,98 +80,37 @@ class RealFft::Planned final : public RealFft::Transform {
   fftw_plan to_values_ = nullptr;
 };
 
-/// N = 2^k real samples as M = N/2 complex ones, z_k = x_2k + i x_2k+1, which Stockham's autosort algorithm
-/// transforms by factors of four and at last of two [frigo2005].
-class RealFft::RadixFour final : public RealFft::Transform {
+/// By the transforms that Eigen has, KISS FFT, whose tables are cosines alone.
+class RealFft::Small final : public RealFft::Transform {
  public:
   static bool takes(int samples) {
-    constexpr int kLeast = 4, kMost = 256;
-    return samples >= kLeast && samples <= kMost && (samples & (samples - 1)) == 0;
+    constexpr int kMost = 256;
+    return samples <= kMost && samples % 4 == 0;
   }
 
-  explicit RadixFour(int samples)
-      : Transform(samples), half_(samples / 2), waves_(as_size(samples)), z_(as_size(half_)), other_(z_) {
-    // e^{-2 pi i k / N} by quarters of a turn, so that waves a quarter apart are so to the last digit.
-    const int quarter = size / 4;
-    for (int k = 0; k < quarter; ++k) {
-      const Complex wave = std::polar(1.0, -kTwoPi * k / size);
-      Complex turned = wave;
-      for (int turn = k; turn < size; turn += quarter) {
-        waves_[as_size(turn)] = turned;
-        turned = {turned.imag(), -turned.real()};
-      }
-    }
+  explicit Small(int samples)
+      : Transform(samples), spectrum_(static_cast<std::size_t>(samples) / 2 + 1) {
+    fft_.SetFlag(Eigen::FFT<double>::Unscaled);
+    fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   }
 
   void forward(const double* values, Complex* spectrum) override {
-    for (int k = 0; k < half_; ++k) z_[as_size(k)] = {values[2 * k], values[2 * k + 1]};
-    transform();
-    const double scale = 0.5 / size;
-    for (int n = 0; n <= half_; ++n) {
-      const Complex a = z_[as_size(n % half_)], b = std::conj(z_[as_size((half_ - n) % half_)]);
-      const Complex turned = waves_[as_size(n)] * (a - b);
-      spectrum[n] = scale * (a + b + Complex(turned.imag(), -turned.real()));
-    }
+    fft_.fwd(spectrum, values, size);
+    for (int n = 0; n <= size / 2; ++n) spectrum[n] /= size;
   }
 
   void inverse(const Complex* spectrum, int given, double* values) override {
-    const auto coefficient = [&](int n) -> Complex {
-      if (n >= given) return 0.0;
-      return n == 0 || n == half_ ? spectrum[n].real() : spectrum[n];
-    };
-    // The inverse is the transform with real and imaginary parts exchanged before and after.
-    for (int n = 0; n < half_; ++n) {
-      const Complex a = coefficient(n), b = std::conj(coefficient(half_ - n));
-      const Complex turned = std::conj(waves_[as_size(n)]) * (a - b);
-      z_[as_size(n)] = {a.imag() + b.imag() + turned.real(), a.real() + b.real() - turned.imag()};
-    }
-    transform();
-    for (int k = 0; k < half_; ++k) {
-      values[2 * k] = z_[as_size(k)].imag();
-      values[2 * k + 1] = z_[as_size(k)].real();
-    }
+    for (int n = 0; n <= size / 2; ++n)
+      spectrum_[static_cast<std::size_t>(n)] = n < given ? spectrum[n] : Complex();
+    // Their imaginary parts belong to no real function.
+    spectrum_.front().imag(0.0);
+    spectrum_.back().imag(0.0);
+    fft_.inv(values, spectrum_.data(), size);
   }
 
  private:
-  static std::size_t as_size(int n) { return static_cast<std::size_t>(n); }
-
-  /// z_n <- sum_k z_k e^{-2 pi i n k / M}.
-  void transform() {
-    int length = half_, stride = 1;
-    for (; length >= 4; length /= 4, stride *= 4) {
-      for (int p = 0; p < length / 4; ++p) fours(length, stride, p);
-      z_.swap(other_);
-    }
-    if (length < 2) return;
-    for (int q = 0; q < stride; ++q) {
-      const Complex a = z_[as_size(q)], b = z_[as_size(q + stride)];
-      other_[as_size(q)] = a + b;
-      other_[as_size(q + stride)] = a - b;
-    }
-    z_.swap(other_);
-  }
-
-  /// Of `stride` transforms of this length the p-th four of each.
-  void fours(int length, int stride, int p) {
-    const int turn = p * (size / length);
-    const Complex w1 = waves_[as_size(turn)], w2 = waves_[as_size(2 * turn)], w3 = waves_[as_size(3 * turn)];
-    const Complex* const from = z_.data() + p * stride;
-    Complex* const to = other_.data() + 4 * p * stride;
-    const int apart = stride * (length / 4);
-    for (int q = 0; q < stride; ++q) {
-      const Complex a = from[q], b = from[q + apart], c = from[q + 2 * apart], d = from[q + 3 * apart];
-      const Complex even = a + c, odd = a - c, sum = b + d;
-      const Complex turned{d.imag() - b.imag(), b.real() - d.real()};  // i (b - d)
-      to[q] = even + sum;
-      to[q + stride] = w1 * (odd - turned);
-      to[q + 2 * stride] = w2 * (even - sum);
-      to[q + 3 * stride] = w3 * (odd + turned);
-    }
-  }
-
-  int half_;
-  std::vector<Complex> waves_;      // e^{-2 pi i k / N}, k = 0..N-1
-  std::vector<Complex> z_, other_;  // M
+  Eigen::FFT<double> fft_;
+  std::vector<Complex> spectrum_;
 };
 
 RealFft::RealFft(int samples) {
@@ -185,8 +123,8 @@ RealFft::RealFft(int samples) {
     transform_ = *known;
     return;
   }
-  if (RadixFour::takes(samples))
-    transform_ = std::make_shared<RadixFour>(samples);
+  if (Small::takes(samples))
+    transform_ = std::make_shared<Small>(samples);
   else
     transform_ = std::make_shared<Planned>(samples);
   planned.push_front(transform_);

@@ -1,5 +1,5 @@
 #pragma once
-// Real discrete Fourier transforms on a uniform time grid: the only place that knows FFTW.
+// Real discrete Fourier transforms on a uniform time grid: the only place that knows whose they are.
 
 #include <Eigen/Core>
 #include <memory>
@@ -12,8 +12,8 @@ namespace signorini {
 ///     x_i = sum_{|n| <= N/2} X_n e^{2 pi j n i / N},   X_{-n} = conj X_n,
 ///
 /// so that coefficients do not depend on N (for even N the one at N/2 stands for both signs together).
-/// By FFTW [frigo2005], planned with FFTW_ESTIMATE so that results are the same from run to run; of a power
-/// of two up to 256 by factors of four and two, whose tables take no planner: that takes a millisecond,
+/// By FFTW [frigo2005], planned with FFTW_ESTIMATE so that results are the same from run to run; up to 256
+/// samples, a multiple of four, by Eigen's transforms, which need no planner: FFTW's takes a millisecond,
 /// twenty times what a first solve on such a grid has to do. Plans are shared by all transforms of one size
 /// in a thread, so that a new one or a copy costs nothing; a transform must stay in its thread.
 class RealFft {
@@ -33,7 +33,7 @@ class RealFft {
  private:
   class Transform;
   class Planned;
-  class RadixFour;
+  class Small;
   std::shared_ptr<Transform> transform_;
 };
 

@@ -380,7 +380,7 @@ std::unique_ptr<const Stops> Stops::on(const FlowStructure& structure, const std
   const bool any = std::ranges::find(rigid, true) != rigid.end();
   if (any && std::ranges::find(rigid, false) != rigid.end()) return mixed_on(structure, rigid);
   if (any || rigid.empty()) return std::make_unique<RigidStops>(structure);
-  if (structure.relaxation > 0.0) return std::make_unique<RelaxingStops>(structure);
+  if (structure.relaxing() > 0) return std::make_unique<RelaxingStops>(structure);
   return std::make_unique<CompliantStops>(structure);
 }
 

@@ -29,8 +29,8 @@ bool is_cut(const Branch& curve) {
   return curve.ended == "the time is up" || curve.ended.starts_with("limit of ");
 }
 
-// Opens the folder of --out, if it is asked for.
-std::optional<ResponseFolder> folder_of(const SweepArguments& arguments, const Scene& scene) {
+// The folder of --out, if there is one, with the question of the second number. \throws UsageError
+std::optional<ResponseFolder> folder_of_curves(const SweepArguments& arguments, const Scene& scene) {
   if (!arguments.out) return std::nullopt;
   nlohmann::ordered_json question = question_of(arguments, scene);
   question["follow"] = arguments.follow;
@@ -49,7 +49,7 @@ MethodResponse kept_or_followed(const SweepArguments& arguments, const Scene& sc
   MethodResponse response{
       .method = method.label(),
       .asked = ParameterRange{.low = std::min(range.from, range.to), .high = std::max(range.from, range.to)}};
-  std::optional<ResponseFolder> folder = folder_of(arguments, scene);
+  std::optional<ResponseFolder> folder = folder_of_curves(arguments, scene);
   const std::string key = response_key(method);
   if (auto kept = folder ? folder->complete(response.method, key) : std::nullopt) {
     response.diagram = std::move(kept->diagram);
