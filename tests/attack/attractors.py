@@ -113,7 +113,9 @@ def main():
         count["periodic"] += len(periodic)
         count["off the branches"] += len(off)
         count["off the branches, not named"] += bool(off) and not answer.get("off_branches")
-        law = scene["law"] if "law" in scene else {"massless": True}
+        law = dict(scene.get("law", {"massless": True}))
+        if "penalty" in law:  # of each contact, as records have it
+            law["penalty"] = [law["penalty"]] * len(scene["contact"])
         found, missing = not_listed(scene, law, answer["attractors"], random.Random(f"{asked.seed} {file.stem}"), asked.starts)
         count["of the other program"] += found
         count["not listed"] += len(missing)

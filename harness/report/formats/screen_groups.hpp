@@ -31,7 +31,7 @@ ScreenLines wrapped_text(const std::string& text, Emphasis emphasis = Emphasis::
 
 /// The rule by which a method is recommended, as reports print it above their groups.
 inline constexpr std::string_view kVerdictRule =
-    "* marks the method that reaches 1 % on the most scenes with a stable motion; of several, those "
+    "* marks the method that reaches 1 % on the most scenes with a stable motion; if tied, those "
     "within 10 % of the least time. A second * marks a faster method that does so on one scene fewer. Each "
     "cell: "
     "median time to that error, number of scenes; - if half or more do not reach it. Last column: unstable "

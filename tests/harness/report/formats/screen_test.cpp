@@ -71,9 +71,9 @@ Other methods reach 1 % on these scenes, of those whose law they represent:
 exact 3 of 3.
 
 Which method? * marks the method that reaches 1 % on the most scenes with a
-stable motion; of several, those within 10 % of the least time. A second *
-marks a faster method that does so on one scene fewer. Each cell: median time to
-that error, number of scenes; - if half or more do not reach it. Last column:
+stable motion; if tied, those within 10 % of the least time. A second * marks a
+faster method that does so on one scene fewer. Each cell: median time to that
+error, number of scenes; - if half or more do not reach it. Last column:
 unstable motions among those found to 10 %:
                                10 %         1 %       0.1 %        1e-6    unst.
 Rigid stop (e = 1), 3 scenes: fast
