@@ -103,8 +103,10 @@ class ExactTask final : public CaseTask {
       ResponseCurve curve = from_attractors();
       add_orbits_beside(curve);
       take_curve(curve, record);
-      const ResponseMetric metric(window_of(asked_.question), amplitude_of(curve));
-      record.response->branches = drawn_with_motions(thinned(std::move(curve), metric));
+      // Without contacts there is nothing to compare, and no scale of motions.
+      if (const double amplitude = amplitude_of(curve); amplitude > 0.0)
+        curve = thinned(std::move(curve), ResponseMetric(window_of(asked_.question), amplitude));
+      record.response->branches = drawn_with_motions(curve);
     } catch (const std::runtime_error& error) {  // the scene cannot be followed
       refuse(error.what(), record);
     }
