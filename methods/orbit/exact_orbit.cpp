@@ -10,6 +10,18 @@
 
 namespace signorini {
 
+namespace {
+
+// The motion from the same state as one that touches nothing: contacts of a part that rests beside its stop
+// may be rounding.
+OrbitGuess untouched(OrbitGuess guess) {
+  guess.events.clear();
+  guess.start.closed.assign(guess.start.closed.size(), false);
+  return guess;
+}
+
+}  // namespace
+
 class OrbitFinder::Search {
  public:
   Search(const std::shared_ptr<OrbitModel>& model, const SearchOptions& options)
@@ -150,8 +162,11 @@ OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& opti
     result.orbit.orders.clear();
     result.orbit.undefined = "a free part that no contact meets may be anywhere";
   }
-  if (!result.orbit.certified() && options.free_families == FreeFamilies::last && search.free())
-    if (ExactOrbit found = member(*search.free()); found.certified()) result.orbit = std::move(found);
+  if (result.orbit.certified() || options.free_families != FreeFamilies::last) return result;
+  std::optional<OrbitGuess> free = search.free();
+  if (!free && result.orbit.trajectory) free = untouched(result.orbit.trajectory->orbit());
+  if (!free) return result;
+  if (ExactOrbit found = member(*free); found.certified()) result.orbit = std::move(found);
   return result;
 }
 

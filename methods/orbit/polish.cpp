@@ -8,11 +8,13 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "methods/orbit/exact_orbit.hpp"
 #include "methods/orbit/modal_green_function.hpp"
 #include "methods/orbit/orbit_equations.hpp"
 #include "methods/solvers/condition_estimate.hpp"
+#include "methods/solvers/lcp/lcp.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/products.hpp"
@@ -127,6 +129,32 @@ void name_family(std::string_view family, ExactOrbit& orbit) {
   orbit.undefined = family;
 }
 
+// The step along a family of free motions, 1 - J^+ J of their equations, to the nearest one that stays clear
+// of the stops. Empty where the motion passes none, or every one does.
+std::optional<Eigen::VectorXd> step_clear_of_stops(const OrbitModel& model, const ExactTrajectory& motion,
+                                                   const Eigen::MatrixXd& family) {
+  constexpr int kInstants = 1024;  // of a forcing period
+  constexpr double kClear = 1e-3;  // of X
+  const ContactDynamics& dynamics = model.dynamics;
+  const FlowStructure& structure = dynamics.structure();
+  const Eigen::MatrixXd moved = product(Eigen::MatrixXd(structure.directions.transpose()),
+                                        Eigen::MatrixXd(family.topRows(dynamics.size())));
+  const auto order = std::lround(model.period / structure.forcing_period);
+  const Eigen::RowVectorXd most = motion.sample(static_cast<int>(order) * kInstants).x.colwise().maxCoeff();
+  std::vector<int> met;  // contacts that the family moves
+  Eigen::VectorXd room(dynamics.contact_count());
+  for (int j = 0; j < room.size(); ++j) {
+    room[j] = (structure.gaps[j] - most[motion.scene_contact(j)]) / dynamics.scales().displacement;
+    if (moved.row(j).norm() > kClear) met.push_back(j);
+  }
+  if (met.empty() || room.minCoeff() >= -kAdmissible) return std::nullopt;
+  const Eigen::MatrixXd rows = moved(met, Eigen::all);
+  const auto z = solve_small_lcp(product_by_transposed(rows, rows),
+                                 Eigen::VectorXd(entries_of(room, met).array() - kClear),
+                                 std::vector<bool>(met.size(), false));
+  return z ? std::optional<Eigen::VectorXd>(-image_by_transposed(rows, *z)) : std::nullopt;
+}
+
 // Puts the instants of events that rounding has exchanged at one; the order of the events by their instants
 // where more than rounding has.
 std::vector<std::size_t> order_in_time(OrbitGuess& path, double period) {
@@ -201,13 +229,21 @@ ExactOrbit polish_free_member(const std::shared_ptr<OrbitModel>& model, const Or
     const Eigen::MatrixXd& inverse = family->inverse;
     unknowns -= inverse * equations.residual();
     if (!equations.evaluate(unknowns)) return {};
+    const auto motion = [&] {
+      return std::make_shared<ExactTrajectory>(model, equations.orbit(unknowns), equations.arcs(),
+                                               equations.crossings());
+    };
+    const Eigen::MatrixXd along =
+        Eigen::MatrixXd::Identity(unknowns.size(), unknowns.size()) - inverse * equations.jacobian();
+    if (const auto step = step_clear_of_stops(*model, *motion(), along)) {
+      unknowns += *step;
+      if (!equations.evaluate(unknowns)) return {};
+    }
     ExactOrbit orbit{.origin = guess.origin, .residual = equations.residual().lpNorm<Eigen::Infinity>()};
     orbit.attainable = equations.noise();
-    const OrbitGuess path = equations.orbit(unknowns);
-    const auto trajectory =
-        std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
+    const auto trajectory = motion();
     orbit.trajectory = trajectory;
-    orbit.admissibility = check_admissible(*model, path, equations, options.expired);
+    orbit.admissibility = check_admissible(*model, trajectory->orbit(), equations, options.expired);
     orbit.condition = family->condition;
     orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() * (orbit.residual + orbit.attainable);
     conclude(*model, equations, options, orbit);

@@ -248,6 +248,35 @@ TEST(ExactOrbitMethod, TellsAMotionThatTouchesNothingAsOneOfAFamily) {
   }
 }
 
+// A loose mass that a damper drags along in its housing: about the middle it would touch nothing, about where
+// the coarse motion leaves it, it would graze. The family has room between the stops.
+TEST(ExactOrbitMethod, MovesAFreeMotionClearOfTheStops) {
+  Problem damper = test::loose_mass(1.0, 0.0);
+  const Eigen::Matrix2d M = Eigen::Vector2d(1.76778, 0.16578).asDiagonal(),
+                        K = Eigen::Vector2d(1.36599, 0.0).asDiagonal();
+  const Eigen::Matrix2d D{{0.23517, -0.17702}, {-0.17702, 0.17702}};
+  damper.edit_structure([&](Structure& s) {
+    s.mass = Eigen::MatrixXd(M).sparseView();
+    s.damping = Eigen::MatrixXd(D).sparseView();
+    s.stiffness = Eigen::MatrixXd(K).sparseView();
+  });
+  damper.frequency = 1.92133;
+  damper.force = {{.dof = 0, .cos = 1.0}};
+  damper.contacts = {{.normal = {{0, 1.0}, {1, -1.0}}, .gap = 0.143524},
+                     {.normal = {{1, 1.0}, {0, -1.0}}, .gap = 0.551282}};
+  damper.set_law(Restitution{0.3});
+  const Solution solution = test::solve<ExactOrbitMethod>(damper, {});
+  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+  const std::complex<double> i_w(0.0, damper.frequency);
+  const auto entry = [&](int i, int j) { return i_w * (i_w * M(i, j) + D(i, j)) + K(i, j); };
+  const std::complex<double> determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
+  const double amplitude = std::abs((entry(1, 1) + entry(1, 0)) / determinant);  // of u_0 - u_1
+  const Eigen::VectorXd x = solution.trajectory->sample(4096).x.col(0);
+  EXPECT_NEAR(0.5 * (x.maxCoeff() - x.minCoeff()), amplitude, 1e-6 * amplitude);
+  EXPECT_LT(x.maxCoeff(), 0.143524);
+  EXPECT_GT(x.minCoeff(), -0.551282);
+}
+
 TEST(ExactOrbitMethod, DoesNotMindAMassBesideTheProblem) {
   const test::ImpactOscillator oscillator{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 0.8};
   Problem problem = test::to_problem(oscillator);
