@@ -109,9 +109,9 @@ ExactOrbit polish_sequence(const std::shared_ptr<OrbitModel>& model, const Orbit
                            const PolishOptions& options = {});
 
 /// The periodic motion next to a state whose motion touches nothing, where rigid motions make it one of a
-/// family: the equations are singular along these alone, their solution is that of least distance, and
-/// multipliers are undefined. Not certified for a sequence with events, where there is no such family, or
-/// where that member meets a stop.
+/// family: the equations are singular along these alone, their solution is that of least distance, or, where
+/// that one passes a stop, the nearest one that stays 1e-3 X clear of all, and multipliers are undefined. Not
+/// certified for a sequence with events, where there is no such family, or where every member meets a stop.
 ExactOrbit polish_free_member(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& guess,
                               const PolishOptions& options = {});
 
