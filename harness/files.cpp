@@ -99,11 +99,13 @@ class Draft {
   int folder_ = -1, descriptor_ = -1, reason_ = 0;
 };
 
-/// \throws UsageError for what is no file, or leads to what is none: root would rename a file over /dev/null
+/// \throws UsageError for a device, and for what else stands in /dev: root would rename a file over /dev/null
 void require_no_device(const std::filesystem::path& file) {
   struct stat found {};
-  if (stat(file.c_str(), &found) != 0 || S_ISREG(found.st_mode) || S_ISDIR(found.st_mode)) return;
-  throw UsageError(fmt::format("out = {} (must be a file, and no device or pipe)", file.string()));
+  const bool is_device =
+      lstat(file.c_str(), &found) == 0 && (S_ISCHR(found.st_mode) || S_ISBLK(found.st_mode));
+  if (is_device || file.parent_path() == "/dev")
+    throw UsageError(fmt::format("out = {} (must be a file, and no device)", file.string()));
 }
 
 }  // namespace
