@@ -23,8 +23,8 @@ std::string first_line(const std::filesystem::path& path);
 using TextSink = std::function<void(std::string_view piece)>;
 
 /// Writes text to a file in one piece: a reader sees the old contents or the new. Nothing that stands there
-/// is followed or opened: a link is replaced, not what it leads to. \throws UsageError for a device or a
-/// pipe, and, with the system's reason, if the folder cannot be written or is full
+/// is followed or opened: a link is replaced, not what it leads to. \throws UsageError for a device,
+/// and, with the system's reason, if the folder cannot be written or is full
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
 /// The same of a text that `write` gives piece by piece, which is never in memory as a whole.
