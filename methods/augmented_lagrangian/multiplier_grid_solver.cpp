@@ -12,9 +12,7 @@
 #include "methods/complementarity/exact_projection.hpp"
 #include "methods/complementarity/projected_residual.hpp"
 #include "methods/solvers/anderson_acceleration.hpp"
-#include "methods/solvers/constants.hpp"
 #include "methods/solvers/homotopy.hpp"
-#include "methods/solvers/newton_krylov.hpp"
 #include "methods/structure/mean_balance.hpp"
 
 namespace signorini {
@@ -80,42 +78,15 @@ class MultiplierIteration {
   bool rise() {
     multiplier_.resize(0, 0);
     acceleration_ = AndersonAcceleration(accelerated_ ? kDepth : 0);
-    worth_newton_ = kInfinity;
     const double first = softest_share();
     return solve(equations_.receptance, first) && harden(first);
   }
 
-  /// One update of the multiplier: of second order where it may be and the penalty's solution follows it to a
-  /// smaller residual, else of first order. False where it follows nowhere.
+  /// One update of the multiplier, to lambda or, accelerated, beyond it; less far where Newton's method does
+  /// not follow. False where it follows nowhere.
   bool update() {
+    const int halvings = accelerated_ ? 6 : 0;
     if (multiplier_.size() == 0) multiplier_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
-    return (accelerated_ && update_by_newton()) || update_by_force();
-  }
-
- private:
-  /// mu <- lambda + s, s Newton's step of the projected equations at lambda: with the contacts that lambda
-  /// has it is Newton's step for lambda(mu) = mu. Not asked for again until the residual is well below one
-  /// from which it led nowhere; then all is as before.
-  bool update_by_newton() {
-    constexpr double kNearer = 0.1;
-    const double before = residual();
-    if (!(before < worth_newton_)) return false;
-    const NewtonKrylovResult newton =
-        solve_newton_krylov(lipschitz_, lipschitz_.unknowns_of(lambda_), settings_.tolerance,
-                            {.max_steps = 1, .max_halvings = kHalvings, .deadline = settings_.deadline});
-    newton_steps_ += newton.iterations;
-    const Eigen::MatrixXcd multiplier = multiplier_, force = lambda_;
-    multiplier_ = lipschitz_.force_of(newton.unknowns);
-    if (newton.iterations > 0 && solve(held_by(multiplier_), 1.0) && residual() < before) return true;
-    multiplier_ = multiplier;
-    lambda_ = force;
-    worth_newton_ = kNearer * before;
-    return false;
-  }
-
-  /// mu <- lambda or, accelerated, beyond it; less far where Newton's method does not follow.
-  bool update_by_force() {
-    const int halvings = accelerated_ ? kHalvings : 0;
     const Eigen::MatrixXcd before = multiplier_, next = next_multiplier();
     double part = 1.0;
     for (int k = 0; k <= halvings; ++k, part *= 0.5) {
@@ -125,6 +96,7 @@ class MultiplierIteration {
     return false;
   }
 
+ private:
   /// A share of rho by pivoting on samples, as penalty-hbm begins.
   bool pivot(double share, const Start& start) {
     const ProjectedLaw law = penalty(share);
@@ -190,7 +162,6 @@ class MultiplierIteration {
   }
 
   static constexpr int kDepth = 8;
-  static constexpr int kHalvings = 6;
 
   const ProjectedEquations& equations_;
   ExactProjectionSettings settings_;
@@ -200,7 +171,6 @@ class MultiplierIteration {
   Eigen::MatrixXcd lambda_;      // (H+1) x Nc [N]
   Eigen::MatrixXcd multiplier_;  // mu behind lambda, of the same size; empty: none yet
   std::optional<double> condition_;
-  double worth_newton_ = kInfinity;  // residual below which an update of second order is tried
   int newton_steps_ = 0;
   long pivots_ = 0;
 };

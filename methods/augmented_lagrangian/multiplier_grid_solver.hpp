@@ -22,12 +22,10 @@ namespace signorini {
 ///
 /// It begins, unless at forces or a motion given, at the solution of the penalty rho with mu = 0, which it
 /// reaches through rising penalties, in factors of two or smaller ones where Newton's method does not follow,
-/// from one of the size of the highest dynamic stiffness that pivoting on the samples solves. Updates are of
-/// second order where that leads on [bertsekas1982]: mu <- lambda + s, s Newton's step of the
-/// projected equations at lambda, which with the contacts of lambda is Newton's step for lambda(mu) = mu, so
-/// that few are needed at any rho. Elsewhere they are accelerated (AndersonAcceleration), which converges
-/// where the update itself runs away, and are taken in part where Newton's method does not follow. From a
-/// force given that it does not follow at all, penalties rise from soft ones, solved from that force.
+/// from one of the size of the highest dynamic stiffness that pivoting on the samples solves. Updates are
+/// accelerated (AndersonAcceleration), which converges where the update itself runs away, and are taken in
+/// part where Newton's method does not follow. From a force given that it does not follow at all, penalties
+/// rise from soft ones, solved from that force.
 ///
 /// `plain` is the literature's form: the first penalty is soft beside the structure and solved from the
 /// motion without contact forces, and updates are taken as they stand.

@@ -9,7 +9,6 @@
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/flow/flow.hpp"
-#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
 
@@ -83,16 +82,6 @@ struct Push {
   bool lasting = false;
 };
 
-// Half a period of a contact's own mass on its spring: how long one closing pushes where the spring is stiff
-// beside the structure. Infinite where there is no such mass or spring.
-double half_oscillation(const ContactDynamics& dynamics, int contact) {
-  const FlowStructure& structure = dynamics.structure();
-  const double compliance = structure.compliance(contact, contact),
-               inverse = structure.delassus(contact, contact);
-  const bool alone = !dynamics.rigid(contact) && structure.massless_compliance(contact, contact) == 0.0;
-  return alone && inverse > 0.0 ? 0.5 * kTwoPi * std::sqrt(compliance / inverse) : kInfinity;
-}
-
 // Read off the contact force.
 std::vector<Push> pushes_of(const ForceHistory& history, const ContactDynamics& dynamics) {
   constexpr double kRipple = 1e-6;  // of the contact's largest force
@@ -111,14 +100,8 @@ std::vector<Push> pushes_of(const ForceHistory& history, const ContactDynamics& 
         weight += history.force(k % count, c);
         moment += history.force(k % count, c) * k;
       }
-      Push push{c, (first - 0.5) * history.step, (first + length - 0.5) * history.step,
-                moment / weight * history.step, !dynamics.rigid(c) || length > history.reach};
-      const double closing = half_oscillation(dynamics, c);
-      if (length <= history.reach && closing < push.end - push.begin) {  // too short for the grid
-        push.begin = push.centroid - 0.5 * closing;
-        push.end = push.centroid + 0.5 * closing;
-      }
-      pushes.push_back(push);
+      pushes.push_back({c, (first - 0.5) * history.step, (first + length - 0.5) * history.step,
+                        moment / weight * history.step, !dynamics.rigid(c) || length > history.reach});
     }
   }
   return pushes;

@@ -105,8 +105,8 @@ Cell time_cell(const Record& record) {
 
 /// Of a converged run, the first set-up and solve of a process.
 Cell first_cell(const Record& record) {
-  if (record.status != Status::converged || !record.seconds || !record.seconds->first)
-    return {"-", kNeverReached};
+  if (record.status != Status::converged) return {in_place(record), kNeverReached};
+  if (!record.seconds || !record.seconds->first) return {"-", kNeverReached};
   return {time_text(*record.seconds->first), *record.seconds->first};
 }
 

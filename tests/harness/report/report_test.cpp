@@ -86,7 +86,8 @@ std::vector<std::string> row_of(const std::string& report, const std::string& re
   return {};
 }
 
-constexpr std::size_t kStatus = 4, kError = 5, kEnergy = 11, kMedian = 12, kWork = 13, kOrbit = 14;
+constexpr std::size_t kStatus = 4, kError = 5, kEnergy = 11, kMedian = 12, kFirst = 13, kWork = 14,
+                      kOrbit = 15;
 
 TEST(MarkdownReport, IsTheSameWhateverTheOrderOfTheRecords) {
   std::vector<Record> records = test::records_of_every_status();
@@ -120,9 +121,9 @@ TEST(MarkdownReport, GivesNoErrorAndNoTimeToAnAnswerThatIsWrong) {
   for (const char* status : {"not-converged", "not-applicable", "timeout", "out-of-memory", "crashed",
                              "exception", "invalid-output"}) {
     const std::vector<std::string> row = row_of(report, "ends=" + std::string(status));
-    ASSERT_EQ(row.size(), 15U) << status;
+    ASSERT_EQ(row.size(), 16U) << status;
     EXPECT_EQ(row[kStatus], status);
-    for (const std::size_t column : {kError, kEnergy, kMedian, kWork, kOrbit}) {
+    for (const std::size_t column : {kError, kEnergy, kMedian, kFirst, kWork, kOrbit}) {
       EXPECT_EQ(row[column], "(" + std::string(status) + ")");
     }
     EXPECT_NE(report.find("because of " + std::string(status)), std::string::npos);

@@ -110,7 +110,7 @@ TEST(CaseSections, ShowNoTimeOfAnAnswerThatIsWrong) {
   EXPECT_EQ(text_of(record, "first"), "750 ms");
   record.status = Status::inaccurate;
   EXPECT_EQ(text_of(record, "time"), "(inaccurate)");
-  EXPECT_EQ(text_of(record, "first"), "-");
+  EXPECT_EQ(text_of(record, "first"), "(inaccurate)");
   record.status = Status::converged;
   record.seconds.reset();
   EXPECT_EQ(text_of(record, "time"), "not timed");
