@@ -71,7 +71,7 @@ std::vector<std::string> cells(const std::string& line) {
 
 /// The cells of the row that has this resolution, blanks trimmed, of the table with so many columns.
 std::vector<std::string> row_of(const std::string& report, const std::string& resolution,
-                                std::size_t columns = 15) {
+                                std::size_t columns = 16) {
   std::istringstream stream(report);
   for (std::string line; std::getline(stream, line);) {
     if (line.rfind("|", 0) != 0 || line.find("[" + resolution + "]") == std::string::npos) continue;
