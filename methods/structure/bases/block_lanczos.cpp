@@ -109,18 +109,21 @@ void BlockLanczos::grow() {
   extend(newest, Eigen::MatrixXd(P_.rows(), 0));
 }
 
-// Products with few columns at a time are several times slower: blocks join the last group while there is
-// room.
+// Products with few columns at a time are several times slower: the last groups are joined while they are
+// narrow, each with one no wider than itself, so that no vector is copied often.
 void BlockLanczos::take_in(const Eigen::MatrixXd& block) {
   constexpr Eigen::Index kGroup = 64;
   size_ += block.cols();
-  if (basis_.empty() || basis_.back().cols() + block.cols() > kGroup) {
-    basis_.push_back(block);
-    return;
+  basis_.push_back(block);
+  while (basis_.size() > 1) {
+    const Eigen::MatrixXd &before = basis_[basis_.size() - 2], &last = basis_.back();
+    const Eigen::Index width = before.cols() + last.cols();
+    if (before.cols() > last.cols() || width > kGroup) return;
+    Eigen::MatrixXd both(P_.rows(), width);
+    both << before, last;
+    basis_.pop_back();
+    basis_.back().swap(both);
   }
-  Eigen::MatrixXd& group = basis_.back();
-  group.conservativeResize(Eigen::NoChange, group.cols() + block.cols());
-  group.rightCols(block.cols()) = block;
 }
 
 Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& newest, const Eigen::MatrixXd& waiting) {
