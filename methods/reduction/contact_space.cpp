@@ -31,6 +31,8 @@ constexpr int kLowestToSolve = 48;
 constexpr Eigen::Index kLowest = 30, kMostToSolve = 150;
 // A space begins with so many vectors, and grows for the forces of motions.
 constexpr int kBegun = 96;
+// Where coordinates are not many a vector costs less than to find that one is missing.
+constexpr int kBegunOfSmall = 180, kSmallStructure = 20000;
 // Coordinates with mass of which a space takes all.
 constexpr int kAllOf = 300;
 
@@ -150,7 +152,8 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   given_small_ = settings.small > 0;
   const int unasked = source_->few() ? kBegun : kLowestToSolve;
   const int small = given_small_ ? settings.small : unasked;
-  const int begun = given_small_ ? std::max(2 * small, kBegun) : kBegun;
+  const int least = source_->few() && most <= kSmallStructure ? kBegunOfSmall : kBegun;
+  const int begun = given_small_ ? std::max(2 * small, least) : least;
   const int enough = most <= kAllOf ? static_cast<int>(most) : begun;
   source_->begun = settings.whole > 0 ? settings.whole : enough;
   const bool powers = given_small_ && source_->few();

@@ -22,8 +22,9 @@ struct ContactSpaceSettings {
   /// Vectors to solve on, of up to 20 columns whole powers at least as many, a better space than as many
   /// modes; 0: the lowest 96, or of more columns 48, until `solved_for` chooses them for a motion [-]
   int small = 0;
-  /// Vectors to check with, at least; 0: all of up to 300, else 96, and twice as many as are given to solve
-  /// on, before the space has grown for a motion [-]
+  /// Vectors to check with, at least; 0: all of up to 300, else 96, or 180 of up to 20,000 coordinates under
+  /// up to 20 columns, and twice as many as are given to solve on, before the space has grown for a motion
+  /// [-]
   int whole = 0;
   Factorise factorise = factorise_here;  ///< K
 };

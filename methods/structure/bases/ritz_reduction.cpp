@@ -27,7 +27,7 @@ constexpr Eigen::Index kLanes = 4;
 /// high + low = x, each of half the digits [ogita2005].
 struct Halves {
   Lanes high, low;
-  EIGEN_STRONG_INLINE explicit Halves(const Lanes& x) {
+  EIGEN_ALWAYS_INLINE explicit Halves(const Lanes& x) {
     constexpr double kSplit = 134217729.0;  // 2^27 + 1
     const Lanes scaled = kSplit * x;
     high = scaled - (scaled - x);
@@ -39,7 +39,7 @@ struct Halves {
 /// every build may use, std::fma is a call for each number: halves give the same rounding of a product.
 struct LongSums {
   Lanes high = Lanes::Zero(), low = Lanes::Zero();
-  EIGEN_STRONG_INLINE void add(const Lanes& a, const Halves& of_a, const Lanes& b) {
+  EIGEN_ALWAYS_INLINE void add(const Lanes& a, const Halves& of_a, const Lanes& b) {
     const Halves of_b(b);
     const Lanes product = a * b;
     Lanes rounding = of_a.high * of_b.high - product;

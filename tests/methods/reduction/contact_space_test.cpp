@@ -253,17 +253,6 @@ TEST(ContactSpace, BeginsWithCombinationsOfManyContacts) {
   }
 }
 
-// One contact costs no more than forty do.
-TEST(ContactSpace, BeginsWithAsManyVectorsForOneContactAsForMany) {
-  constexpr Eigen::Index kBegun = 96;
-  const ContactSpace one(test::massless_bar({.alpha = 0.2, .beta = 0.005}, 400)), many(many_contacts());
-  for (const ContactSpace* space : {&one, &many}) {
-    EXPECT_GE(space->whole().vectors(), kBegun);
-    EXPECT_LT(space->whole().vectors(), kBegun + 16);
-    EXPECT_EQ(space->small().vectors(), space == &one ? kBegun : kBegun / 2);
-  }
-}
-
 // What follows statically is not in the field: less than a hundredth of it here.
 TEST(ContactSpace, HasTheFieldOfManyContacts) {
   constexpr int kHarmonics = 12;
