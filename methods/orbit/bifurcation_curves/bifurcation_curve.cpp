@@ -143,12 +143,12 @@ class BifurcationCurveTracer {
     append();
   }
 
-  // What begins has no length or speed yet: a first step the wrong way shows at once (`turns_back`).
+  // What begins has no length or speed yet: its guard rises the right way (`rises`), and where that is not to
+  // be told a first step the wrong way shows at once (`turns_back`).
   void begin(const Onward& onward) {
     result_.sequence = describe_sequence(onward.start.orbit);
     result_.began = onward.start.origin;
     step_ *= onward.start.first_step_share;
-    may_turn_ = true;
     place(onward.start.orbit, onward.second);
     if (done_) return;
     tangent_ = first_tangent(*special_);
@@ -157,6 +157,24 @@ class BifurcationCurveTracer {
       return finish("the start cannot be evaluated");
     x_ = special_->x();
     append();
+    const double rise = rises();
+    may_turn_ = rise == 0.0;
+    if (rise < 0.0) tangent_ = -tangent_;
+  }
+
+  // By which sign the guard that vanishes at the start changes along the tangent; 0 where it is not to be
+  // told.
+  double rises() {
+    constexpr double kBeside = 1e-5, kNoise = 1e-10;  // in the units of the curve; of a guard
+    const auto guard = vanishing_guard(special_->orbits());
+    if (!guard) return 0.0;
+    const auto at = [&](double way) {
+      return special_->evaluate(x_ + way * tangent_) ? value_of(*guard, *special_) : std::nullopt;
+    };
+    const auto ahead = at(kBeside), behind = at(-kBeside);
+    special_->evaluate(x_);
+    const double change = ahead && behind ? *ahead - *behind : 0.0;
+    return std::abs(change) > kNoise ? change : 0.0;
   }
 
   // Takes an orbit with its section as the place where the equations are evaluated.
@@ -281,6 +299,15 @@ class BifurcationCurveTracer {
   Branch result_;
 };
 
+// Whether a curve leads anywhere: one that ends where it begins would lead back along the curve before.
+bool has_length(const Branch& curve) {
+  constexpr double kSame = 1e-9;
+  if (curve.points.size() != 2) return curve.points.size() > 2;
+  const SolutionPoint &first = curve.points.front(), &last = curve.points.back();
+  return std::abs(first.frequency - last.frequency) > kSame * first.frequency ||
+         std::abs(*first.second - *last.second) > kSame * std::abs(*first.second);
+}
+
 // The curve through a special point, and those that go on where its sequence of events changes.
 std::vector<Branch> trace_from(OrbitPlane& plane, const SpecialPoint& start, const OrbitGuess& orbit,
                                const CurveLimits& limits) {
@@ -291,10 +318,12 @@ std::vector<Branch> trace_from(OrbitPlane& plane, const SpecialPoint& start, con
     BifurcationCurveTracer next(plane, start.kind, limits);
     Branch curve = next.run(*onward);
     onward = next.onward();
-    if (curve.points.size() > 1)
+    if (has_length(curve)) {
       curves.push_back(std::move(curve));
-    else
-      curves.back().ended += fmt::format(": beyond, {}", curve.ended);
+      continue;
+    }
+    onward.reset();
+    curves.back().ended += fmt::format(": beyond, {}", curve.ended);
   }
   return curves;
 }
