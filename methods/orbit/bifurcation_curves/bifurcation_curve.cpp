@@ -101,6 +101,23 @@ ChangeOfSequence past_end(const ExtendedEquations& equations, const OrbitGuard& 
                                            : past_change(equations.family(), end);
 }
 
+// By which sign the guard that vanishes at a point of a curve changes along its tangent; 0 where it is not to
+// be told. The equations are left evaluated there.
+double rise_of_guard(SpecialEquations& special, const Eigen::VectorXd& x, const Eigen::VectorXd& tangent) {
+  constexpr double kBeside = 1e-5, kNoise = 1e-10;  // in the units of the curve; of a guard
+  const auto guard = vanishing_guard(special.orbits());
+  if (!guard) return 0.0;
+  const auto at = [&](double way) {
+    return special.evaluate(x + way * tangent) ? value_of(*guard, special) : std::nullopt;
+  };
+  const auto ahead = at(kBeside), behind = at(-kBeside);
+  special.evaluate(x);
+  const double change = ahead && behind ? *ahead - *behind : 0.0;
+  return std::abs(change) > kNoise ? change : 0.0;
+}
+
+constexpr CorrectorLimits kLimits{.iterations = 10, .tolerance = 1e-12};
+
 class BifurcationCurveTracer {
  public:
   BifurcationCurveTracer(OrbitPlane& plane, SpecialKind kind, const CurveLimits& limits)
@@ -143,7 +160,7 @@ class BifurcationCurveTracer {
     append();
   }
 
-  // What begins has no length or speed yet: its guard rises the right way (`rises`), and where that is not to
+  // What begins has no length or speed yet: its guard rises the right way, and where that is not to
   // be told a first step the wrong way shows at once (`turns_back`).
   void begin(const Onward& onward) {
     result_.sequence = describe_sequence(onward.start.orbit);
@@ -157,24 +174,9 @@ class BifurcationCurveTracer {
       return finish("the start cannot be evaluated");
     x_ = special_->x();
     append();
-    const double rise = rises();
+    const double rise = rise_of_guard(*special_, x_, tangent_);
     may_turn_ = rise == 0.0;
     if (rise < 0.0) tangent_ = -tangent_;
-  }
-
-  // By which sign the guard that vanishes at the start changes along the tangent; 0 where it is not to be
-  // told.
-  double rises() {
-    constexpr double kBeside = 1e-5, kNoise = 1e-10;  // in the units of the curve; of a guard
-    const auto guard = vanishing_guard(special_->orbits());
-    if (!guard) return 0.0;
-    const auto at = [&](double way) {
-      return special_->evaluate(x_ + way * tangent_) ? value_of(*guard, *special_) : std::nullopt;
-    };
-    const auto ahead = at(kBeside), behind = at(-kBeside);
-    special_->evaluate(x_);
-    const double change = ahead && behind ? *ahead - *behind : 0.0;
-    return std::abs(change) > kNoise ? change : 0.0;
   }
 
   // Takes an orbit with its section as the place where the equations are evaluated.
@@ -285,8 +287,6 @@ class BifurcationCurveTracer {
     tangent_ = first_tangent(*special_);
     if (tangent_.tail(2).dot(shared) < 0.0) tangent_ = -tangent_;
   }
-
-  static constexpr CorrectorLimits kLimits{.iterations = 10, .tolerance = 1e-12};
 
   OrbitPlane& plane_;
   const CurveLimits& limits_;
