@@ -88,8 +88,7 @@ class RealFft::Small final : public RealFft::Transform {
     return samples <= kMost && samples % 4 == 0;
   }
 
-  explicit Small(int samples)
-      : Transform(samples), spectrum_(static_cast<std::size_t>(samples) / 2 + 1) {
+  explicit Small(int samples) : Transform(samples), spectrum_(static_cast<std::size_t>(samples) / 2 + 1) {
     fft_.SetFlag(Eigen::FFT<double>::Unscaled);
     fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   }

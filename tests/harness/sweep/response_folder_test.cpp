@@ -147,9 +147,9 @@ TEST(CommandSweep, ResumesAnInterruptedSweep) {
 TEST(CommandSweep, DoesNotComputeAgainWhatTheFolderHas) {
   const test::TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
-  for (const std::string way :
-       {"--methods exact-orbit", "--method exact-orbit --points 3",
-        "--methods exact-orbit --follow period-doubling --second law.restitution --second-from 1 --second-to 0.95"}) {
+  for (const std::string way : {"--methods exact-orbit", "--method exact-orbit --points 3",
+                                "--methods exact-orbit --follow period-doubling --second law.restitution "
+                                "--second-from 1 --second-to 0.95"}) {
     std::filesystem::remove_all(out);
     const std::string command = "sweep sdof-stop " + way + " --from 2.5 --to 3 --format jsonl --out " + out;
     ASSERT_EQ(test::run_program(command).code, 0);
