@@ -157,7 +157,7 @@ std::string gzipped(std::string_view bytes) {
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());
   stream.avail_out = static_cast<uInt>(packed.size());
   const int end = deflate(&stream, Z_FINISH);
-  packed.resize(packed.size() - stream.avail_out);
+  packed.erase(packed.size() - stream.avail_out);
   deflateEnd(&stream);
   if (end != Z_STREAM_END) throw std::runtime_error("zlib does not compress to the end");
   return packed;
