@@ -13,11 +13,11 @@ namespace signorini {
 
 namespace {
 
-// Unit vectors: the two along the surface R = 0, the null space of R_x, and, where R is more than its noise,
-// the shortest step to it, -R_x^+ R.
-Eigen::MatrixXd ways_to(const Eigen::MatrixXd& R_x, const Eigen::VectorXd& R, double noise) {
-  const Eigen::Index n = R_x.rows();
-  const QrFactors qr = householder_qr(R_x.transpose());
+// Unit vectors: the two along the surface R = 0, the null space of R_x (`jacobian`), and, where R is more
+// than its noise, the shortest step to it, -R_x^+ R.
+Eigen::MatrixXd ways_to(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& R, double noise) {
+  const Eigen::Index n = jacobian.rows();
+  const QrFactors qr = householder_qr(jacobian.transpose());
   Eigen::MatrixXd ways = qr.Q.rightCols(2);
   if (R.lpNorm<Eigen::Infinity>() <= noise) return ways;
   const Eigen::VectorXd back = qr.Q.leftCols(n) * lower_solve(qr.R.topRows(n).transpose(), R);
