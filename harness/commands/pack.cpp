@@ -69,15 +69,14 @@ struct FetchArguments {
 /// Lists the packs of an archive, or copies them into a folder, each once its hash is found right.
 void fetch(const FetchArguments& arguments) {
   const std::vector<IndexedPack> indexed = read_pack_index(arguments.index);
+  const fs::path out = arguments.out.value_or("");
   std::size_t chosen = 0;
   for (const IndexedPack& pack : indexed) {
     if (!glob_match(arguments.packs, pack.file)) continue;
     ++chosen;
-    if (arguments.out) {
-      const fs::path folder = *arguments.out;
-      write_whole(folder_inside(folder.parent_path(), folder.filename().string()) / pack.file,
+    if (arguments.out)
+      write_whole(folder_inside(out.parent_path(), out.filename().string()) / pack.file,
                   pack_beside(arguments.index, pack));
-    }
     fmt::print("{}  {}\n", pack.sha256, pack.file);
   }
   if (chosen == 0)

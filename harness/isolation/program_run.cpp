@@ -1,41 +1,52 @@
 #include "harness/isolation/program_run.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <spawn.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <system_error>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <optional>
 
-#include "harness/failure.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/isolation/child_process.hpp"
 
 namespace signorini {
 
-std::optional<int> run_to_end(std::vector<std::string> words, const std::filesystem::path& folder,
-                              const std::string& log) {
+ProgramEnd run_to_end(const std::vector<std::string>& words, std::size_t most) {
   std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
+  for (const std::string& word : words)
+    arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
   arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  constexpr int kReadable = 0644;
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, kReadable);
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure == ENOENT) return std::nullopt;
-  if (failure != 0)
-    throw MachineFull(fmt::format("machine = full (must allow {} to start in {}: {})", words.front(),
-                                  folder.string(),
-                                  std::error_code(failure, std::generic_category()).message()));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  constexpr int kLook = 50;                                           // [ms]
+  constexpr std::chrono::seconds kGrace(5);                           // for a launcher to end its processes
+  const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));  // launchers read what is not for them
+  Pipe pipe = make_pipe();
+  ChildProcess child({.in = nothing.number(), .out = pipe.write.number(), .err = -1}, -1, [&] {
+    execvp(arguments.front(), arguments.data());
+    _exit(ProgramEnd::kMissing);
+  });
+  pipe.write.reset();
+  set_non_blocking(pipe.read);
+  ProgramEnd end;
+  std::optional<std::chrono::steady_clock::time_point> last;  // after an interrupt
+  while (!child.has_ended()) {
+    std::array<pollfd, 1> waited{{{.fd = pipe.read.number(), .events = POLLIN, .revents = 0}}};
+    poll(waited.data(), waited.size(), kLook);
+    read_available(pipe.read, end.output, most);
+    if (end.output.size() > most) return end;
+    if (interrupted() && !last) {
+      child.send_signal(SIGTERM);
+      last = std::chrono::steady_clock::now() + kGrace;
+    }
+    if (last && std::chrono::steady_clock::now() > *last) break;
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  read_available(pipe.read, end.output, most);
+  const int status = child.reap();
+  if (WIFEXITED(status)) end.code = WEXITSTATUS(status);
+  return end;
 }
 
 }  // namespace signorini

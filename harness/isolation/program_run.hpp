@@ -1,19 +1,28 @@
 #pragma once
-// A program of the machine that is run to its end, without a shell.
+// A program of the machine that is run to its end for what it prints, without a shell.
 
-#include <filesystem>
-#include <optional>
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace signorini {
 
-/// Runs a program that is looked for in $PATH, in a folder, and waits for its end. What it writes to standard
-/// error becomes the file `log` of the folder, which must not be there: no link is followed.
-/// \param words  its name and its arguments
-/// \return its exit code, -1 where a signal ended it; nothing if there is none of that name
-/// \throws MachineFull where the machine cannot start it
-std::optional<int> run_to_end(std::vector<std::string> words, const std::filesystem::path& folder,
-                              const std::string& log);
+/// How a program ended.
+struct ProgramEnd {
+  std::string output = {};  ///< what it wrote to standard output
+  int code = -1;            ///< its exit code, -1 where a signal ended it
+
+  /// Whether there was no such program.
+  [[nodiscard]] bool missing() const { return code == kMissing; }
+
+  static constexpr int kMissing = 127;  ///< as shells say it
+};
+
+/// Runs a program that is looked for in $PATH, with nothing on standard input. An interrupt of this one, once
+/// it watches them, ends it, and so does more than `most` bytes of output; in both cases `code` says nothing.
+/// \param words  its name and its arguments \throws MachineFull where no process can be made
+ProgramEnd run_to_end(const std::vector<std::string>& words,
+                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace signorini

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
+#include "harness/isolation/child_process.hpp"
 #include "harness/isolation/program_run.hpp"
-#include "harness/isolation/temporary_folder.hpp"
 #include "harness/pack/run_pack.hpp"
 #include "harness/text/words.hpp"
 
@@ -22,20 +22,20 @@ constexpr std::size_t kLargestIndex = std::size_t{1} << 20U;
 
 bool is_url(std::string_view place) { return place.starts_with("http://") || place.starts_with("https://"); }
 
-/// What curl fetches of a URL: over http and https alone, also where the server sends it elsewhere.
+/// What curl fetches of a URL: over http and https alone, also where the server sends it elsewhere. Its
+/// complaint comes last in what it prints.
 std::string downloaded(const std::string& url, std::size_t most) {
-  constexpr const char *kLog = "curl.log", *kProtocols = "=http,https", *kLongest = "600";  // [s]
-  const TemporaryFolder folder;
-  const std::optional<int> code =
-      run_to_end({"curl", "--disable", "--fail", "--silent", "--show-error", "--location", "--proto",
-                  kProtocols, "--proto-redir", kProtocols, "--max-time", kLongest, "--max-filesize",
-                  std::to_string(most), "--output", "bytes", "--url", url},
-                 folder.path(), kLog);
-  if (!code) throw UsageError("a URL needs curl, which is not there (install the package curl)");
-  if (*code != 0)
-    throw UsageError(
-        fmt::format("url = {} (could not be fetched: {})", url, first_line(folder.path() / kLog)));
-  return read_file(folder.path() / "bytes", most);
+  constexpr const char *kProtocols = "=http,https", *kLongest = "600";  // [s]
+  ProgramEnd end =
+      run_to_end({"curl", "--disable", "--fail", "--silent", "--show-error", "--stderr", "-", "--location",
+                  "--proto", kProtocols, "--proto-redir", kProtocols, "--max-time", kLongest, "--url", url},
+                 most);
+  if (end.missing()) throw UsageError("a URL needs curl, which is not there (install the package curl)");
+  if (end.output.size() > most)
+    throw UsageError(fmt::format("url = {} (must give at most {} MiB)", url, most >> 20U));
+  if (end.code != 0)
+    throw UsageError(fmt::format("url = {} (could not be fetched: {})", url, last_line(end.output)));
+  return std::move(end.output);
 }
 
 /// "HASH  NAME" or "HASH *NAME", which sha256sum prints of a binary file. \throws UsageError

@@ -1,9 +1,7 @@
 #include "problems/linear_algebra/complex_lu.hpp"
 
-#include <array>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 
 namespace signorini {
 
@@ -54,29 +52,13 @@ Eigen::VectorXcd lu_solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b) 
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& A) { return ComplexLuFactors(A).inverse(); }
 
 bool invert(Eigen::MatrixXcd& A) {
-  const Eigen::Index n = A.rows();
-  std::array<Eigen::Index, kMostInverted> exchanged{};
-  for (Eigen::Index k = 0; k < n; ++k) {
-    Eigen::Index row = k;
-    for (Eigen::Index i = k + 1; i < n; ++i)
-      if (modulus(A(i, k)) > modulus(A(row, k))) row = i;
-    exchanged[static_cast<std::size_t>(k)] = row;
-    if (row != k) A.row(k).swap(A.row(row));
-    if (!(modulus(A(k, k)) > 0.0)) return false;
-    const std::complex<double> pivot = 1.0 / A(k, k);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      if (j == k) continue;
-      const std::complex<double> share = A(k, j) * pivot;
-      for (Eigen::Index i = 0; i < n; ++i) A(i, j) -= A(i, k) * share;
-      A(k, j) = share;
-    }
-    for (Eigen::Index i = 0; i < n; ++i) A(i, k) *= -pivot;
-    A(k, k) = pivot;
-  }
-  for (Eigen::Index k = n - 1; k >= 0; --k) {
-    const Eigen::Index column = exchanged[static_cast<std::size_t>(k)];
-    if (column != k) A.col(k).swap(A.col(column));
-  }
+  constexpr int kMost = static_cast<int>(kMostInverted);
+  using Small =
+      Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMost, kMost>;
+  const Eigen::PartialPivLU<Small> lu{Small(A)};
+  for (const std::complex<double>& pivot : lu.matrixLU().diagonal())
+    if (!(modulus(pivot) > 0.0)) return false;
+  A = lu.inverse();
   return true;
 }
 

@@ -46,8 +46,8 @@ Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& A);
 /// memory, not arithmetic.
 inline constexpr Eigen::Index kMostInverted = 8;
 
-/// A <- A^-1 in place, of kMostInverted rows at most, by Gauss and Jordan's elimination with row exchanges.
-/// Source: [golub2013], ch. 3.4. \return false where a pivot is zero or not a number; A is spoilt then
+/// A <- A^-1, of kMostInverted rows at most, by partial pivoting without a call for memory. \return false,
+/// and A as it was, where a pivot is zero or not a number
 [[nodiscard]] bool invert(Eigen::MatrixXcd& A);
 
 /// Reciprocal condition of A in the 1-norm from A and A^-1, with |re| + |im| for a modulus and so up to twice

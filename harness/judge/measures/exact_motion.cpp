@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "methods/flow/event_trajectory.hpp"
@@ -65,6 +66,7 @@ ExactMotion::Coordinates ExactMotion::coordinates(std::span<const int> dofs, int
   const auto columns = static_cast<Eigen::Index>(dofs.size());
   Coordinates found{Eigen::MatrixXd(count, columns), Eigen::MatrixXd(count, columns)};
   std::vector<std::pair<Eigen::Index, Eigen::Index>> places;  // of columns
+  std::optional<Samples> samples;                             // of the contacts, where one is asked for
   for (Eigen::Index column = 0; column < columns; ++column) {
     const int dof = dofs[static_cast<std::size_t>(column)];
     if (const Eigen::Index place = place_of(dof); place >= 0) {
@@ -73,9 +75,9 @@ ExactMotion::Coordinates ExactMotion::coordinates(std::span<const int> dofs, int
     }
     const Eigen::Index contact = contact_on(dof);
     const double factor = contacts_[static_cast<std::size_t>(contact)].normal.front().second;
-    const Samples samples = motion_->sample(count);
-    found.u.col(column) = samples.x.col(contact) / factor;
-    found.v.col(column) = samples.velocity.col(contact) / factor;
+    if (!samples) samples = motion_->sample(count);
+    found.u.col(column) = samples->x.col(contact) / factor;
+    found.v.col(column) = samples->velocity.col(contact) / factor;
   }
   for (int i = 0; i < count && !places.empty(); ++i) {
     const State state = motion_->at(i * (motion_->period() / count));

@@ -1,18 +1,21 @@
 #include "harness/report/figures/gnuplot.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
-#include <optional>
 #include <string_view>
-#include <utility>
+#include <system_error>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
-#include "harness/isolation/program_run.hpp"
 #include "harness/isolation/temporary_folder.hpp"
 
 namespace signorini {
@@ -34,8 +37,27 @@ int run_gnuplot(const fs::path& folder, const std::vector<std::string>& scripts)
   fs::remove(folder / kLog, ignored);
   std::vector<std::string> words{"gnuplot", "-d"};  // without what ~/.gnuplot would add
   words.insert(words.end(), scripts.begin(), scripts.end());
-  if (const std::optional<int> code = run_to_end(std::move(words), folder, kLog)) return *code;
-  throw UsageError("figures need gnuplot, which is not there (install the package gnuplot-nox)");
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  constexpr int kReadable = 0644;
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, kLog, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW,
+                                   kReadable);
+  pid_t child = 0;
+  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure == ENOENT)
+    throw UsageError("figures need gnuplot, which is not there (install the package gnuplot-nox)");
+  if (failure != 0)
+    throw MachineFull(fmt::format("machine = full (must allow gnuplot to start in {}: {})", folder.string(),
+                                  std::error_code(failure, std::generic_category()).message()));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 /// Names stand in scripts and become files of the folder.
