@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/arguments/argument_parser.hpp"
+#include "harness/arguments/arguments.hpp"
 #include "harness/build_info.hpp"
 #include "harness/text/words.hpp"
 

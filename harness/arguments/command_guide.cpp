@@ -5,17 +5,16 @@
 #include <array>
 #include <memory>
 #include <string_view>
-#include <utility>
 
-#include "harness/arguments/argument_parser.hpp"
-#include "harness/report/document/lines.hpp"
+#include "harness/arguments/arguments.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/words.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr std::size_t kHelpColumns = 80, kHelpIndent = 24;
+constexpr std::size_t kHelpIndent = 24;
 
 constexpr std::array<CommandExample, 30> kExamples{{
     {"list", "signorini list scenes", "the scenes that ship, one a line"},
@@ -68,11 +67,6 @@ constexpr std::array<CommandGroup, 4> kGroups{{
     {"Cluster", "submit status merge "},
 }};
 
-std::string name_with_parents(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  return (parent == nullptr ? "" : name_with_parents(*parent) + " ") + command.get_name();
-}
-
 std::string indented(const std::vector<std::string>& lines, std::size_t indent) {
   return joined(lines, "\n" + std::string(indent, ' '));
 }
@@ -97,24 +91,24 @@ std::string examples_of(const std::string& path) {
 class GuideFormatter final : public CLI::Formatter {
  public:
   std::string make_description(const CLI::App* app) const override {
-    return indented(wrapped_lines(app->get_description(), kHelpColumns), 0) + "\n";
+    return indented(wrapped_lines(app->get_description(), kTerminalWidth), 0) + "\n";
   }
   std::string make_subcommand(const CLI::App* sub) const override {
-    const auto lines = wrapped_lines(first_sentence(sub->get_description()), kHelpColumns - kHelpIndent);
+    const auto lines = wrapped_lines(first_sentence(sub->get_description()), kTerminalWidth - kHelpIndent);
     return fmt::format("  {:<{}}{}\n", sub->get_name(), kHelpIndent - 2, indented(lines, kHelpIndent));
   }
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const std::string name = make_option_name(option, is_positional) + make_option_opts(option);
-    const auto lines = wrapped_lines(make_option_desc(option), kHelpColumns - kHelpIndent);
+    const auto lines = wrapped_lines(make_option_desc(option), kTerminalWidth - kHelpIndent);
     const bool beside = name.size() + 4 <= kHelpIndent;
     return fmt::format("  {:<{}}{}{}\n", name, beside ? kHelpIndent - 2 : 0,
                        beside ? "" : "\n" + std::string(kHelpIndent, ' '), indented(lines, kHelpIndent));
   }
   std::string make_footer(const CLI::App* app) const override {
-    const std::string path = name_with_parents(*app);
+    const std::string path = full_name(*app);
     const std::size_t blank = path.find(' ');
     const std::string footer = app->get_footer();
-    const std::string text = footer.empty() ? "" : indented(wrapped_lines(footer, kHelpColumns), 0) + "\n";
+    const std::string text = footer.empty() ? "" : indented(wrapped_lines(footer, kTerminalWidth), 0) + "\n";
     if (blank != std::string::npos) return text + examples_of(path.substr(blank + 1));
     std::string examples = "Examples (signorini COMMAND --help has those of each command):\n";
     for (const char* command : {"solve", "run", "check", "submit"}) {
@@ -130,7 +124,10 @@ class GuideFormatter final : public CLI::Formatter {
 
 std::span<const CommandExample> command_examples() { return kExamples; }
 
-std::string full_name(const Command& command) { return name_with_parents(command.app()); }
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return (parent == nullptr ? "" : full_name(*parent) + " ") + command.get_name();
+}
 
 void guide_commands(const Command& program) {
   const auto formatter = std::make_shared<GuideFormatter>();

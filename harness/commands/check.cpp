@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -97,28 +96,22 @@ int check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check_command(const Command& program, int& exit_code) {
-  const Command command = program.command(
-      "check",
+void add_check_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "check", check,
       "Runs the tests that every method must pass: declared options and laws, determinism, time budget, "
-      "invariances, convergence, "
-      "and no answer that is proved wrong. Exit code 1 if something failed.");
-  const auto arguments = std::make_shared<CheckArguments>();
+      "invariances, convergence, and no answer that is proved wrong. Exit code 1 if something failed.");
   command.option("method", arguments->method, "method name; see `signorini list methods`");
   command.flag("--all", arguments->all, "every method there is");
-  command.option("--suite", arguments->suite, "whose scenes are asked about").shows_default();
-  command
-      .option("--scenes", arguments->scenes,
-              "instead: scenes by glob, A*:B*-C*, of all that ship, and files or folders of one's own; "
-              "may be repeated")
-      .one_word();
-  command.option("--checks", arguments->checks, fmt::format("by glob, of {}", joined(check_names(), ", ")))
-      .shows_default();
-  command.option("--timeout", arguments->timeout, "processor time of one solve [s]")
-      .check(positive_seconds)
-      .shows_default();
+  command.option("--suite", arguments->suite, "whose scenes are asked about");
+  command.option("--scenes", arguments->scenes,
+                 "instead: scenes by glob, A*:B*-C*, of all that ship, and files or folders of one's own; "
+                 "may be repeated",
+                 {.one_word = true});
+  command.option("--checks", arguments->checks, fmt::format("by glob, of {}", joined(check_names(), ", ")));
+  command.option("--timeout", arguments->timeout, "processor time of one solve [s]",
+                 {.complaint = positive_seconds});
   command.flag("--json", arguments->json, "print the findings as a JSON array");
-  command.on_run([arguments, &exit_code] { exit_code = check(*arguments); });
 }
 
 }  // namespace signorini

@@ -12,9 +12,7 @@
 #include <filesystem>
 #include <new>
 #include <system_error>
-#include <utility>
 
-#include "harness/arguments/argument_parser.hpp"
 #include "harness/build_info.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
@@ -45,8 +43,7 @@ std::string version_text() {
 /// Prints a complaint as one line that does nothing to a terminal: it may quote arguments and files. Unlike
 /// fmt::print it does not throw where stderr is full: the exit code is all that can be told then.
 int complain(const std::string& line, int code) {
-  constexpr std::size_t kLongestLine = 1000;
-  std::fputs((one_line(line, kLongestLine) + "\n").c_str(), stderr);
+  std::fputs((one_line(line, 1000) + "\n").c_str(), stderr);
   return code;
 }
 
@@ -108,6 +105,26 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
   return words;
 }
 
+/// --plugin, before the command and after it.
+void add_plugin_options(const Command& program, std::vector<std::string>& plugins) {
+  const auto add = [&](const Command& command) {
+    // Words before a command and after it come one after the other, so that none replaces the others.
+    command.words_option(
+        "--plugin",
+        [&plugins](const std::vector<std::string>& files) {
+          plugins.insert(plugins.end(), files.begin(), files.end());
+        },
+        "load methods from a shared object or a command's description (*.toml), beside those in "
+        "the folders of $SIGNORINI_PLUGIN_PATH; repeatable, before the command or after it",
+        {.type_name = "FILE", .one_word = true});
+  };
+  add(program);
+  for (const Command& command : program.commands()) {
+    const std::vector<Command> inner = command.commands();
+    std::ranges::for_each(inner.empty() ? std::vector{command} : inner, add);
+  }
+}
+
 }  // namespace
 
 std::vector<OptionSetting> parse_settings(const std::vector<std::string>& texts) {
@@ -123,44 +140,20 @@ std::vector<OptionSetting> parse_settings(const std::vector<std::string>& texts)
 }
 
 void add_plot_option(const Command& command, std::string& file, const std::string& what) {
-  command.option("--plot", file, what + ", as a picture in FILE.svg, .pdf or .png; needs gnuplot")
-      .check(plot_obstacle)
-      .type_name("FILE");
+  command.option("--plot", file, what + ", as a picture in FILE.svg, .pdf or .png; needs gnuplot",
+                 {.type_name = "FILE", .complaint = plot_obstacle});
 }
 
 void add_column_option(const Command& command, Column& column, const std::string& of) {
-  command
-      .word_option(
-          "--column",
-          [&column](const std::string& word) { column = word == "single" ? Column::single : Column::both; },
-          fmt::format("width of {} for a journal: single ({} cm) or double ({} cm); letters keep their size",
-                      of, kSingleColumn, kBothColumns))
-      .one_of({"single", "double"});
-}
-
-void add_plugin_options(const Command& program, const std::shared_ptr<std::vector<std::string>>& plugins) {
-  const auto add = [&](const Command& command) {
-    // Words before a command and after it come one after the other, so that none replaces the others.
-    command
-        .words_option(
-            "--plugin",
-            [plugins](const std::vector<std::string>& files) {
-              plugins->insert(plugins->end(), files.begin(), files.end());
-            },
-            "load methods from a shared object or a command's description (*.toml), beside those in "
-            "the folders of $SIGNORINI_PLUGIN_PATH; repeatable, before the command or after it")
-        .one_word()
-        .type_name("FILE");
-  };
-  add(program);
-  for (const Command& command : program.commands()) {
-    const std::vector<Command> inner = command.commands();
-    std::ranges::for_each(inner.empty() ? std::vector{command} : inner, add);
-  }
+  command.word_option(
+      "--column",
+      [&column](const std::string& word) { column = word == "single" ? Column::single : Column::both; },
+      fmt::format("width of {} for a journal: single ({} cm) or double ({} cm); letters keep their size", of,
+                  kSingleColumn, kBothColumns),
+      {.one_of = {"single", "double"}});
 }
 
 int run_command_line(int argc, char** argv) {
-  int exit_code = kDone;
   take_default_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write, which names the file
   open_standard_files();
@@ -170,28 +163,24 @@ int run_command_line(int argc, char** argv) {
   words.insert(words.end(), argv + std::min(1, argc), argv + argc);
   words = without_help_command(std::move(words));
   ArgumentParser parser(
-      "signorini",
+      words,
       "Computes periodic vibrations of linear structures with unilateral contacts, and compares methods.",
       version_text);
   const Command program = parser.program();
   program.require_command();
-  for (const auto add : {add_list_command, add_show_command, add_solve_command, add_orbits_command,
-                         add_motion_command, add_reduce_command, add_completion_command, add_man_command})
-    add(program, exit_code);
-  add_sweep_command(program, exit_code, words);
-  add_run_command(program, exit_code, words);
-  for (const auto add : {add_report_command, add_compare_command, add_history_command, add_verify_command,
-                         add_pack_command, add_fetch_command, add_doctor_command, add_new_command,
-                         add_check_command, add_submit_command, add_status_command, add_merge_command})
-    add(program, exit_code);
+  for (const auto add : {add_list_command,    add_show_command,   add_solve_command,      add_orbits_command,
+                         add_motion_command,  add_reduce_command, add_completion_command, add_man_command,
+                         add_sweep_command,   add_run_command,    add_report_command,     add_compare_command,
+                         add_history_command, add_verify_command, add_pack_command,       add_fetch_command,
+                         add_doctor_command,  add_new_command,    add_check_command,      add_submit_command,
+                         add_status_command,  add_merge_command})
+    add(program);
   guide_commands(program);
-  const auto plugins = std::make_shared<std::vector<std::string>>();
+  std::vector<std::string> plugins;
   add_plugin_options(program, plugins);
-  parser.before_run([plugins] { load_plugins(*plugins); });
   try {
     require_known_command(program, words);
-    parser.run({words.begin() + 1, words.end()});
-    return delivered(exit_code);
+    return delivered(parser.run([&plugins] { load_plugins(plugins); }));
   } catch (const BadArguments& error) {
     return complain(error.what(), kBadUsage);
   } catch (const NothingMatched& error) {
@@ -217,23 +206,23 @@ int run_command_line(int argc, char** argv) {
   }
 }
 
-void add_completion_command(const Command& program, int& exit_code) {
+void add_completion_command(const Command& program) {
   const Command command =
       program.command("completion", "A script that completes commands and options in a shell.");
   const auto shell = std::make_shared<std::string>();
-  command.option("shell", *shell, "bash or zsh").required().one_of({"bash", "zsh"});
-  command.on_run([program, shell, &exit_code] {
+  command.option("shell", *shell, "bash or zsh", {.required = true, .one_of = {"bash", "zsh"}});
+  command.on_run([program, shell] {
     fmt::print("{}", *shell == "bash" ? bash_completion(program) : zsh_completion(program));
-    exit_code = kDone;
+    return kDone;
   });
 }
 
-void add_man_command(const Command& program, int& exit_code) {
+void add_man_command(const Command& program) {
   const Command command =
       program.command("man", "This description as a page for man: signorini man | man -l -");
-  command.on_run([program, &exit_code] {
+  command.on_run([program] {
     fmt::print("{}", man_page(program));
-    exit_code = kDone;
+    return kDone;
   });
 }
 

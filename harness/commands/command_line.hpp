@@ -1,7 +1,6 @@
 #pragma once
 // The commands.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,33 +28,29 @@ enum ExitCode : int {
 /// Parses, runs one command and returns its exit code; errors are one line on stderr.
 int run_command_line(int argc, char** argv);
 
-// Each adds one subcommand that stores its exit code in `exit_code` when it is chosen.
-void add_list_command(const Command& program, int& exit_code);
-void add_show_command(const Command& program, int& exit_code);
-void add_solve_command(const Command& program, int& exit_code);
-/// \param words  the command line, for the manifest
-void add_run_command(const Command& program, int& exit_code, const std::vector<std::string>& words);
-void add_status_command(const Command& program, int& exit_code);
-void add_merge_command(const Command& program, int& exit_code);
-void add_compare_command(const Command& program, int& exit_code);
-void add_history_command(const Command& program, int& exit_code);
-void add_submit_command(const Command& program, int& exit_code);
-void add_check_command(const Command& program, int& exit_code);
-void add_new_command(const Command& program, int& exit_code);
-void add_sweep_command(const Command& program, int& exit_code, const std::vector<std::string>& words);
-void add_doctor_command(const Command& program, int& exit_code);
-void add_completion_command(const Command& program, int& exit_code);
-void add_man_command(const Command& program, int& exit_code);
-void add_report_command(const Command& program, int& exit_code);
-void add_pack_command(const Command& program, int& exit_code);
-void add_fetch_command(const Command& program, int& exit_code);
-void add_orbits_command(const Command& program, int& exit_code);
-void add_motion_command(const Command& program, int& exit_code);
-void add_reduce_command(const Command& program, int& exit_code);
-void add_verify_command(const Command& program, int& exit_code);
-
-/// --plugin, before the command and after it.
-void add_plugin_options(const Command& program, const std::shared_ptr<std::vector<std::string>>& plugins);
+// Each adds one subcommand.
+void add_list_command(const Command& program);
+void add_show_command(const Command& program);
+void add_solve_command(const Command& program);
+void add_run_command(const Command& program);
+void add_status_command(const Command& program);
+void add_merge_command(const Command& program);
+void add_compare_command(const Command& program);
+void add_history_command(const Command& program);
+void add_submit_command(const Command& program);
+void add_check_command(const Command& program);
+void add_new_command(const Command& program);
+void add_sweep_command(const Command& program);
+void add_doctor_command(const Command& program);
+void add_completion_command(const Command& program);
+void add_man_command(const Command& program);
+void add_report_command(const Command& program);
+void add_pack_command(const Command& program);
+void add_fetch_command(const Command& program);
+void add_orbits_command(const Command& program);
+void add_motion_command(const Command& program);
+void add_reduce_command(const Command& program);
+void add_verify_command(const Command& program);
 
 /// --starts, --subharmonics, --seed, --timeout: of the commands that search for orbits.
 void add_search_options(const Command& command, OrbitSearchOptions& options,

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,8 +53,14 @@ WholeRun read_named_run(const std::string& place) {
   return run;
 }
 
+struct CompareArguments {
+  std::string before;
+  std::vector<std::string> after;
+};
+
 /// Compares each of the later runs with the first.
-int compare(const std::string& before, const std::vector<std::string>& after) {
+int compare(const CompareArguments& arguments) {
+  const auto& [before, after] = arguments;
   const WholeRun first = read_named_run(before);
   int code = kDone;
   for (const std::string& later : after) {
@@ -73,25 +78,18 @@ int compare(const std::string& before, const std::vector<std::string>& after) {
 
 }  // namespace
 
-void add_compare_command(const Command& program, int& exit_code) {
-  struct Arguments {
-    std::string before;
-    std::vector<std::string> after;
-  };
-  const Command command = program.command(
-      "compare", fmt::format("What got slower, less accurate or broken from one run to another, beyond the "
-                             "noise of both. A case is "
-                             "slower if minimum and median of its time grew by {:.0f} % ({:.0f} % with fewer "
-                             "than {} rounds) and by more "
-                             "than the error bars of both runs explain; a method if its cases as a whole "
-                             "did, by {:.0f} %. Of several new "
-                             "runs each is compared with the first. Exit code 4 for a regression of any.",
-                             100.0 * (kCaseFactor - 1.0), 100.0 * (kCaseFactorFewRounds - 1.0), kManyRounds,
-                             100.0 * (kMethodFactor - 1.0)));
-  const auto arguments = std::make_shared<Arguments>();
-  command.option("before", arguments->before, "folder of the run of before, or a pack").required();
-  command.option("after", arguments->after, "folders of the new runs, or packs").required();
-  command.on_run([arguments, &exit_code] { exit_code = compare(arguments->before, arguments->after); });
+void add_compare_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "compare", compare,
+      fmt::format("What got slower, less accurate or broken from one run to another, beyond the "
+                  "noise of both. A case is slower if minimum and median of its time grew by {:.0f} % "
+                  "({:.0f} % with fewer than {} rounds) and by more than the error bars of both runs "
+                  "explain; a method if its cases as a whole did, by {:.0f} %. Of several new runs each is "
+                  "compared with the first. Exit code 4 for a regression of any.",
+                  100.0 * (kCaseFactor - 1.0), 100.0 * (kCaseFactorFewRounds - 1.0), kManyRounds,
+                  100.0 * (kMethodFactor - 1.0)));
+  command.option("before", arguments->before, "folder of the run of before, or a pack", {.required = true});
+  command.option("after", arguments->after, "folders of the new runs, or packs", {.required = true});
 }
 
 }  // namespace signorini

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/commands/command_line.hpp"
@@ -20,8 +19,7 @@ void print_table(const std::vector<MachineProperty>& properties) {
     const std::string verdict = !one.known ? "not told" : one.good ? "good" : "unreliable";
     table.rows.push_back({one.name, one.value, verdict, one.advice.empty() ? "nothing" : one.advice});
   }
-  const auto bad =
-      std::count_if(properties.begin(), properties.end(), [](const MachineProperty& f) { return !f.good; });
+  const auto bad = std::ranges::count(properties, false, &MachineProperty::good);
   fmt::print("{}\n{} of {} things make times unreliable here\n", to_columns(table, kTerminalWidth), bad,
              properties.size());
 }
@@ -36,21 +34,23 @@ void print_json(const std::vector<MachineProperty>& properties) {
   fmt::print("{}\n", json_text(list));
 }
 
+struct DoctorArguments {
+  bool json = false;
+};
+
+void examine(const DoctorArguments& arguments) {
+  std::vector<MachineProperty> properties = examine_system();
+  std::ranges::move(examine_running(), std::back_inserter(properties));
+  arguments.json ? print_json(properties) : print_table(properties);
+}
+
 }  // namespace
 
-void add_doctor_command(const Command& program, int& exit_code) {
-  const Command command = program.command(
-      "doctor",
+void add_doctor_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "doctor", examine,
       "What makes times unreliable on this machine: governor, turbo, load, clock, other processes.");
-  const auto json = std::make_shared<bool>(false);
-  command.flag("--json", *json, "print a JSON array");
-  command.on_run([json, &exit_code] {
-    std::vector<MachineProperty> properties = examine_system();
-    const std::vector<MachineProperty> running = examine_running();
-    properties.insert(properties.end(), running.begin(), running.end());
-    *json ? print_json(properties) : print_table(properties);
-    exit_code = kDone;
-  });
+  command.flag("--json", arguments->json, "print a JSON array");
 }
 
 }  // namespace signorini

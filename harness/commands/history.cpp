@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,11 +28,10 @@ struct HistoryArguments {
 };
 
 void print_history(const History& history) {
-  constexpr std::size_t kMinutes = 16;  // of a date
   Table table{{"run", "date", "commit", "certified", "error of x", "time"}, {}};
   for (const HistoryPoint& point : history.points)
     table.rows.push_back(
-        {point.run, point.date.substr(0, kMinutes), point.commit,
+        {point.run, point.date.substr(0, 16), point.commit,  // to the minute
          count_cell(static_cast<std::ptrdiff_t>(point.certified), static_cast<std::ptrdiff_t>(history.cases)),
          point.error ? fmt::format("{:.1e}", *point.error) : "-",
          point.seconds ? time_text(*point.seconds) : "-"});
@@ -61,20 +59,14 @@ void show_history(const HistoryArguments& arguments) {
 
 }  // namespace
 
-void add_history_command(const Command& program, int& exit_code) {
-  const Command command = program.command(
-      "history",
+void add_history_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "history", show_history,
       "Runs of one suite by date: how many of the cases that all of them have are certified, the median "
-      "error "
-      "and the mean time, as on the machine of the first by the calibration solves of the runs.");
-  const auto arguments = std::make_shared<HistoryArguments>();
-  command.option("dirs", arguments->places, "folders of runs, or packs").required();
+      "error and the mean time, as on the machine of the first by the calibration solves of the runs.");
+  command.option("dirs", arguments->places, "folders of runs, or packs", {.required = true});
   add_plot_option(command, arguments->plot, "the same over the dates");
   add_column_option(command, arguments->column, "--plot");
-  command.on_run([arguments, &exit_code] {
-    show_history(*arguments);
-    exit_code = kDone;
-  });
 }
 
 }  // namespace signorini

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/failure.hpp"
@@ -9,6 +8,7 @@
 #include "harness/plan/scene_choice.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/words.hpp"
 #include "methods/catalogue.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -17,14 +17,18 @@ namespace signorini {
 
 namespace {
 
-constexpr std::size_t kListColumns = 80, kListIndent = 22;
+struct ListArguments {
+  std::string what, only;
+};
 
 void list_methods() {
+  const auto print = [](const std::string& name, const std::string& text) {
+    fmt::print("{}", named_lines(name, 22, text, kTerminalWidth));
+  };
   for (const MethodEntry& entry : method_catalogue()) {
-    std::string text = named_lines(entry.name, kListIndent, entry.title, kListColumns) +
-                       named_lines("  laws", kListIndent, entry.laws, kListColumns);
-    if (!entry.limits.empty()) text += named_lines("  limits", kListIndent, entry.limits, kListColumns);
-    fmt::print("{}", text);
+    print(entry.name, entry.title);
+    print("  laws", entry.laws);
+    if (!entry.limits.empty()) print("  limits", entry.limits);
   }
 }
 
@@ -54,27 +58,28 @@ void list_suites() {
   }
 }
 
+void list(const ListArguments& arguments) {
+  const auto& [what, only] = arguments;
+  if (!only.empty() && what != "scenes")
+    throw UsageError(fmt::format("only = {} (must go with scenes)", only));
+  const bool all = what.empty();
+  if (all) fmt::print("Methods\n");
+  if (all || what == "methods") list_methods();
+  if (all) fmt::print("\nScenes\n");
+  if (all || what == "scenes") list_scenes(only);
+  if (all) fmt::print("\nSuites\n");
+  if (all || what == "suites") list_suites();
+}
+
 }  // namespace
 
-void add_list_command(const Command& program, int& exit_code) {
-  const Command command =
-      program.command("list", "Names and one-line descriptions of methods, scenes and suites.");
-  const auto what = std::make_shared<std::string>(), only = std::make_shared<std::string>();
-  command.option("what", *what, "methods, scenes or suites; all of them if absent")
-      .one_of({"methods", "scenes", "suites"});
-  command.option("only", *only, "of scenes: those whose names match this glob, or that carry this tag");
-  command.on_run([what, only, &exit_code] {
-    const bool all = what->empty();
-    if (!only->empty() && *what != "scenes")
-      throw UsageError(fmt::format("only = {} (must go with scenes)", *only));
-    if (all) fmt::print("Methods\n");
-    if (all || *what == "methods") list_methods();
-    if (all) fmt::print("\nScenes\n");
-    if (all || *what == "scenes") list_scenes(*only);
-    if (all) fmt::print("\nSuites\n");
-    if (all || *what == "suites") list_suites();
-    exit_code = kDone;
-  });
+void add_list_command(const Command& program) {
+  const auto [command, arguments] =
+      program.command("list", list, "Names and one-line descriptions of methods, scenes and suites.");
+  command.option("what", arguments->what, "methods, scenes or suites; all of them if absent",
+                 {.one_of = {"methods", "scenes", "suites"}});
+  command.option("only", arguments->only,
+                 "of scenes: those whose names match this glob, or that carry this tag");
 }
 
 }  // namespace signorini

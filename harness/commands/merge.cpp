@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 #include <span>
 
 #include "harness/commands/command_line.hpp"
-#include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/records/line_file.hpp"
 #include "harness/report/report.hpp"
@@ -33,43 +31,37 @@ void write_run(const RunFolder& run, std::span<const std::string> parts, const f
   write_plan(out, run.plan);
 }
 
-/// Joins the runs. \return how many records there are, and how many cases have none
-RunStatus write_merge(const std::vector<std::string>& folders, const fs::path& out) {
+struct MergeArguments {
+  std::vector<std::string> folders;
+  std::string out;
+};
+
+void merge(const MergeArguments& arguments) {
+  const auto& [folders, out] = arguments;
+  require_no_run(out);
   std::vector<RunFolder> parts;
   for (const std::string& folder : folders) parts.push_back(read_run(folder));
   RunFolder merged = merge_runs(std::move(parts));
   write_run(merged, folders, out);
   merged.path = out;
-  return status_of(merged);
-}
-
-int merge(const std::vector<std::string>& folders, const std::string& out) {
-  require_no_run(out);
-  const RunStatus status = write_merge(folders, out);
+  const RunStatus status = status_of(merged);
   write_report(out, evaluation_of_run(out, limits_of_run(out)), {"md", "csv"});
   fmt::print("{} records of {} runs are in {}\n", status.planned - status.pending, folders.size(), out);
   if (status.pending > 0)
     fmt::print(stderr, "{} cases of the plan have no record yet; see `signorini status`\n", status.pending);
-  return kDone;
 }
 
 }  // namespace
 
-void add_merge_command(const Command& program, int& exit_code) {
-  struct Arguments {
-    std::vector<std::string> folders;
-    std::string out;
-  };
-  const Command command = program.command(
-      "merge",
+void add_merge_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "merge", merge,
       "Joins the records of several runs, such as shards, each case once. Refuses runs of different machines "
       "(processor, number of processors, governor), limits, builds, suites or cases at a time: their times "
-      "would not "
-      "be comparable.");
-  const auto arguments = std::make_shared<Arguments>();
-  command.option("dirs", arguments->folders, "folders of runs").required();
-  command.option("--out", arguments->out, "folder of the whole: new, or an earlier merge").required();
-  command.on_run([arguments, &exit_code] { exit_code = merge(arguments->folders, arguments->out); });
+      "would not be comparable.");
+  command.option("dirs", arguments->folders, "folders of runs", {.required = true});
+  command.option("--out", arguments->out, "folder of the whole: new, or an earlier merge",
+                 {.required = true});
 }
 
 }  // namespace signorini

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -32,8 +31,6 @@ namespace signorini {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kMostRandomStarts = 10000;
 
 struct MotionArguments {
   std::string scene;
@@ -125,43 +122,38 @@ void certify(const Problem& problem, const Deadline& deadline, Outcome& outcome)
   outcome.orbit->starts = 1;
 }
 
-/// JSON has no infinite numbers: null.
-Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-Json estimate_json(const Estimate& estimate) {
-  return {{"value", number_json(estimate.value)}, {"error", number_json(estimate.error)}};
-}
-
+/// What is not there is null, as infinite numbers are.
 template <class T>
-Json optional_json(const std::optional<T>& value) {
-  if (!value) return {};
-  if constexpr (std::is_same_v<T, Estimate>) {
-    return estimate_json(*value);
-  } else {
-    return *value;
-  }
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
 }
 
-Json stop_json(const StopStatistics& stop) {
-  return {{"x_mean", estimate_json(stop.x_mean)},
-          {"x_rms", estimate_json(stop.x_rms)},
+}  // namespace
+
+// Found by the JSON library, which writes lists of these.
+static void to_json(Json& json, const Estimate& estimate) {
+  json = {{"value", estimate.value}, {"error", estimate.error}};
+}
+
+static void to_json(Json& json, const StopStatistics& stop) {
+  json = {{"x_mean", stop.x_mean},
+          {"x_rms", stop.x_rms},
           {"x_min", stop.x_min},
           {"x_max", stop.x_max},
-          {"force_rms", optional_json(stop.force_rms)},
-          {"force_peak", optional_json(stop.force_peak)},
-          {"impulse_per_second", estimate_json(stop.impulse_per_second)},
-          {"impacts_per_second", estimate_json(stop.impacts_per_second)},
-          {"impulse_mean", optional_json(stop.impulse_mean)},
-          {"impulse_deviation", optional_json(stop.impulse_deviation)},
-          {"power", optional_json(stop.power)}};
+          {"force_rms", or_null(stop.force_rms)},
+          {"force_peak", or_null(stop.force_peak)},
+          {"impulse_per_second", stop.impulse_per_second},
+          {"impacts_per_second", stop.impacts_per_second},
+          {"impulse_mean", or_null(stop.impulse_mean)},
+          {"impulse_deviation", or_null(stop.impulse_deviation)},
+          {"power", or_null(stop.power)}};
 }
+
+namespace {
 
 Json outcome_json(const Outcome& outcome) {
   const LongMotion& motion = outcome.motion;
   const bool repeats = motion.order > 0;
-  Json lyapunov = Json::array(), contacts = Json::array();
-  for (const Estimate& exponent : motion.lyapunov) lyapunov.push_back(estimate_json(exponent));
-  for (const StopStatistics& stop : motion.stops) contacts.push_back(stop_json(stop));
   return {{"start", outcome.start},
           {"verdict", name_of(motion.verdict)},
           {"reason", motion.reason},
@@ -170,16 +162,15 @@ Json outcome_json(const Outcome& outcome) {
           {"orbit_reason", outcome.no_orbit},
           {"settled_after", repeats ? Json(motion.settled_after) : Json()},
           {"measured", motion.measured},
-          {"lyapunov", lyapunov},
-          {"contacts", contacts}};
+          {"lyapunov", motion.lyapunov},
+          {"contacts", motion.stops}};
 }
 
 /// The first start's, and all in `starts`.
 Json motion_json(const Problem& problem, const std::vector<Outcome>& outcomes) {
   Json json{{"scene", problem.name}, {"forcing_period", problem.forcing_period()}};
-  const Json first = outcome_json(outcomes.front());
-  for (const auto& [key, value] : first.items())
-    if (key != "start") json[key] = value;
+  json.update(outcome_json(outcomes.front()));
+  json.erase("start");
   json["starts"] = Json::array();
   for (const Outcome& outcome : outcomes) json["starts"].push_back(outcome_json(outcome));
   return json;
@@ -192,15 +183,13 @@ std::string text_of(const Estimate& estimate) {
 
 /// A row for each contact.
 Table stop_table(const std::vector<StopStatistics>& stops) {
-  Table table{.header = {"contact", "x [m]", "force RMS [N]", "impacts [1/s]", "impulse [N s]", "power [W]"},
-              .rows = {}};
-  for (std::size_t j = 0; j < stops.size(); ++j) {
-    const StopStatistics& stop = stops[j];
-    table.rows.push_back({fmt::format("{}", j), fmt::format("{:.4g}..{:.4g}", stop.x_min, stop.x_max),
-                          stop.force_rms ? text_of(*stop.force_rms) : std::string("impulses"),
-                          text_of(stop.impacts_per_second),
-                          stop.impulse_mean ? fmt::format("{:.4g}", *stop.impulse_mean) : std::string("-"),
-                          stop.power ? text_of(*stop.power) : std::string("-")});
+  Table table{{"contact", "x [m]", "force RMS [N]", "impacts [1/s]", "impulse [N s]", "power [W]"}, {}};
+  for (const StopStatistics& stop : stops) {
+    table.rows.push_back(
+        {std::to_string(table.rows.size()), fmt::format("{:.4g}..{:.4g}", stop.x_min, stop.x_max),
+         stop.force_rms ? text_of(*stop.force_rms) : "impulses", text_of(stop.impacts_per_second),
+         stop.impulse_mean ? fmt::format("{:.4g}", *stop.impulse_mean) : "-",
+         stop.power ? text_of(*stop.power) : "-"});
   }
   return table;
 }
@@ -298,60 +287,43 @@ int tell_motion(const MotionArguments& arguments) {
 
 }  // namespace
 
-void add_motion_command(const Command& program, int& exit_code) {
-  constexpr int kMostPeriods = 10'000'000, kMostOrder = 64, kMostExponents = 1000, kMostDrawn = 10000;
-  const Command command = program.command(
-      "motion",
+void add_motion_command(const Command& program) {
+  constexpr int kMostPeriods = 10'000'000;
+  const auto [command, arguments] = program.command(
+      "motion", tell_motion,
       "Integrates in time, from rest or from given states, and tells what the motion settles to: periodic, "
       "quasi-periodic, irregular (chaos), at rest or unbounded. Prints Lyapunov exponents and statistics of "
       "the impacts. Exit code 1 if the kind stays undecided.");
-  const auto arguments = std::make_shared<MotionArguments>();
-  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
-  command
-      .option("--from-state", arguments->states,
-              "a file of states to start from in place of rest, one per line: displacements, then velocities "
-              "of all coordinates at t = 0, faces of damped stops last; told from stops and bases that move")
-      .type_name("FILE");
-  command.option("--starts", arguments->starts, "random states to start from besides")
-      .range(0, kMostRandomStarts)
-      .shows_default();
-  command.option("--seed", arguments->seed, "of the random states").shows_default();
-  command
-      .option("--transient", arguments->options.transient,
-              "forcing periods in which the motion may settle, at most")
-      .range(1, kMostPeriods)
-      .shows_default();
-  command
-      .option("--periods", arguments->options.periods,
-              "forcing periods over which a motion that does not settle is measured, at most")
-      .range(1, kMostPeriods)
-      .shows_default();
-  command
-      .option("--max-order", arguments->options.max_order,
-              "forcing periods after which a periodic motion repeats, at most")
-      .range(1, kMostOrder)
-      .shows_default();
-  command.option("--exponents", arguments->options.exponents, "Lyapunov exponents, the largest ones, at most")
-      .range(1, kMostExponents)
-      .shows_default();
-  command
-      .option("--timeout", arguments->timeout,
-              "processor time of all starts, the certificates of their orbits included [s]")
-      .check(positive_seconds)
-      .shows_default();
+  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file", {.required = true});
+  command.option(
+      "--from-state", arguments->states,
+      "a file of states to start from in place of rest, one per line: displacements, then velocities "
+      "of all coordinates at t = 0, faces of damped stops last; told from stops and bases that move",
+      {.type_name = "FILE"});
+  command.option("--starts", arguments->starts, "random states to start from besides", {.range = {0, 10000}});
+  command.option("--seed", arguments->seed, "of the random states");
+  command.option("--transient", arguments->options.transient,
+                 "forcing periods in which the motion may settle, at most", {.range = {1, kMostPeriods}});
+  command.option("--periods", arguments->options.periods,
+                 "forcing periods over which a motion that does not settle is measured, at most",
+                 {.range = {1, kMostPeriods}});
+  command.option("--max-order", arguments->options.max_order,
+                 "forcing periods after which a periodic motion repeats, at most", {.range = {1, 64}});
+  command.option("--exponents", arguments->options.exponents, "Lyapunov exponents, the largest ones, at most",
+                 {.range = {1, 1000}});
+  command.option("--timeout", arguments->timeout,
+                 "processor time of all starts, the certificates of their orbits included [s]",
+                 {.complaint = positive_seconds});
   command.flag("--json", arguments->json, "print a JSON object; see docs/records.md");
-  command
-      .option(
-          "--waveform", arguments->waveform,
-          "write x, velocity and force over the first periods of the first start as comma separated values")
-      .type_name("FILE");
-  command.option("--first", arguments->first, "periods that --waveform writes and --plot draws")
-      .range(1, kMostDrawn)
-      .shows_default();
+  command.option(
+      "--waveform", arguments->waveform,
+      "write x, velocity and force over the first periods of the first start as comma separated values",
+      {.type_name = "FILE"});
+  command.option("--first", arguments->first, "periods that --waveform writes and --plot draws",
+                 {.range = {1, 10000}});
   add_plot_option(command, arguments->plot,
                   "the first periods of the first start, and its stroboscopic section");
   add_column_option(command, arguments->column, "the picture");
-  command.on_run([arguments, &exit_code] { exit_code = tell_motion(*arguments); });
 }
 
 }  // namespace signorini

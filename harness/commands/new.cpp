@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
@@ -30,18 +29,13 @@ std::optional<fs::path> tree_of(const NewArguments& arguments) {
                                *arguments.tree));
 }
 
-Scaffold new_method(const NewArguments& arguments) {
+Scaffold method_scaffold(const NewArguments& arguments) {
   if (arguments.python) return method_in_python(arguments.name, "");
   if (arguments.out_of_tree) return method_out_of_tree(arguments.name, "");
   if (const std::optional<fs::path> tree = tree_of(arguments)) return method_in_tree(arguments.name, *tree);
   throw UsageError(
       "tree = missing (must be the current folder, one above it or --tree; --out-of-tree makes a plugin "
       "instead)");
-}
-
-Scaffold new_scene(const NewArguments& arguments) {
-  const std::optional<fs::path> tree = tree_of(arguments);
-  return tree ? scene_in_tree(arguments.name, *tree) : scene_out_of_tree(arguments.name, "");
 }
 
 /// The path relative to the current folder if it lies below, as people type it.
@@ -59,40 +53,41 @@ void write_and_tell(const Scaffold& scaffold) {
   for (const std::string& line : scaffold.next) fmt::print("  {}\n", line);
 }
 
-void add_kind(const Command& command, int& exit_code, const std::string& kind, const char* description,
-              Scaffold (*make)(const NewArguments&)) {
-  const Command sub = command.command(kind, description);
-  const auto arguments = std::make_shared<NewArguments>();
-  sub.option("name", arguments->name, "lower-kebab-case, such as my-" + kind).required();
+void new_method(const NewArguments& arguments) { write_and_tell(method_scaffold(arguments)); }
+
+void new_scene(const NewArguments& arguments) {
+  const std::optional<fs::path> tree = tree_of(arguments);
+  write_and_tell(tree ? scene_in_tree(arguments.name, *tree) : scene_out_of_tree(arguments.name, ""));
+}
+
+void add_kind(const Command& command, const std::string& kind, const char* description,
+              void (*make)(const NewArguments&)) {
+  const auto [sub, arguments] = command.command(kind, make, description);
+  sub.option("name", arguments->name, "lower-kebab-case, such as my-" + kind, {.required = true});
   const Argument tree =
       sub.option("--tree", arguments->tree,
                  "source tree; if absent the current folder or the nearest above that is one");
-  sub.flag("--out-of-tree", arguments->out_of_tree, "in the current folder, to be used without a source tree")
-      .excludes(tree);
+  sub.flag("--out-of-tree", arguments->out_of_tree, "in the current folder, to be used without a source tree",
+           {.excludes = tree});
   if (kind == "method") {
     sub.flag("--python", arguments->python,
-             "in the current folder, as a function in Python; needs the package signorini (docs/python.md)")
-        .excludes(tree);
+             "in the current folder, as a function in Python; needs the package signorini (docs/python.md)",
+             {.excludes = tree});
   }
-  sub.on_run([arguments, make, &exit_code] {
-    write_and_tell(make(*arguments));
-    exit_code = kDone;
-  });
 }
 
 }  // namespace
 
-void add_new_command(const Command& program, int& exit_code) {
+void add_new_command(const Command& program) {
   const Command command = program.command(
       "new", "Writes a template of a method or a scene, which builds and passes `check` at once.");
   command.require_command();
-  add_kind(command, exit_code, "method",
+  add_kind(command, "method",
            "methods/NAME with header, source, test and page, and two lines in methods/catalogue.cpp; out of "
-           "tree a "
-           "folder NAME that builds a plugin, or with --python one that holds a function in Python.",
+           "tree a folder NAME that builds a plugin, or with --python one that holds a function in Python.",
            new_method);
   add_kind(
-      command, exit_code, "scene",
+      command, "scene",
       "problems/catalogue/NAME.toml, or NAME.toml in the current folder where that is in no source tree.",
       new_scene);
 }

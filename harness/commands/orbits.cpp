@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -12,7 +11,6 @@
 #include "harness/plots/orbit_plot.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/progress.hpp"
-#include "harness/report/document/lines.hpp"
 #include "harness/summary/motion_summary.hpp"
 #include "harness/table.hpp"
 #include "harness/text/columns.hpp"
@@ -22,8 +20,6 @@
 namespace signorini {
 
 namespace {
-
-constexpr std::size_t kOrbitColumns = 80;
 
 struct OrbitsArguments {
   std::string scene;
@@ -64,7 +60,7 @@ Table orbit_table(const std::vector<FoundOrbit>& orbits) {
 std::string orbit_notes(const std::vector<FoundOrbit>& orbits) {
   std::string text;
   const auto note = [&](const std::string& line) {
-    for (const std::string& part : wrapped_lines(line, kOrbitColumns)) text += part + "\n";
+    for (const std::string& part : wrapped_lines(line, kTerminalWidth)) text += part + "\n";
   };
   if (std::ranges::any_of(orbits, &FoundOrbit::from_rest)) note("* the motion reached from rest");
   for (const FoundOrbit& orbit : orbits) {
@@ -137,34 +133,28 @@ int list_orbits(const OrbitsArguments& arguments) {
 
 void add_search_options(const Command& command, OrbitSearchOptions& options,
                         std::optional<int>& subharmonics) {
-  command.option("--starts", options.starts, "random states to start from, at each order")
-      .range(0, 100000)
-      .shows_default();
-  command
-      .option("--subharmonics", subharmonics,
-              "search periods of 1 to this many forcing periods; if absent 3, or the scene's own if more")
-      .range(1, 64);
-  command.option("--seed", options.seed, "of the random states").shows_default();
-  command
-      .option("--timeout", options.timeout,
-              "processor time of the search of one scene, its two processes together [s]")
-      .check(positive_seconds)
-      .shows_default();
+  command.option("--starts", options.starts, "random states to start from, at each order",
+                 {.range = {0, 100000}});
+  command.option("--subharmonics", subharmonics,
+                 "search periods of 1 to this many forcing periods; if absent 3, or the scene's own if more",
+                 {.range = {1, 64}});
+  command.option("--seed", options.seed, "of the random states");
+  command.option("--timeout", options.timeout,
+                 "processor time of the search of one scene, its two processes together [s]",
+                 {.complaint = positive_seconds});
 }
 
-void add_orbits_command(const Command& program, int& exit_code) {
-  const Command command = program.command(
-      "orbits",
+void add_orbits_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "orbits", list_orbits,
       "Searches the coexisting periodic motions of a scene, stable or not, each exact to rounding; "
       "exit code 1 if none is found.");
-  const auto arguments = std::make_shared<OrbitsArguments>();
-  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
+  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file", {.required = true});
   add_search_options(command, arguments->options, arguments->subharmonics);
   command.flag("--json", arguments->json, "print the orbits as a JSON array, events included");
   add_plot_option(command, arguments->plot,
                   "the portrait of each orbit, the first 12, with multipliers and shares of starts");
   add_column_option(command, arguments->column, "the picture");
-  command.on_run([arguments, &exit_code] { exit_code = list_orbits(*arguments); });
 }
 
 }  // namespace signorini

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,7 +46,12 @@ std::vector<PluginDescriptionFile> descriptions_for(const RunFolder& run) {
   return found;
 }
 
-void pack(const std::string& folder, const std::string& out) {
+struct PackArguments {
+  std::string folder, out;
+};
+
+void pack(const PackArguments& arguments) {
+  const auto& [folder, out] = arguments;
   const RunFolder run = read_run(folder);
   if (run.manifest.contains("runs"))
     throw UsageError(fmt::format("dir = {} (must be a run, not several side by side: pack each)", folder));
@@ -86,39 +90,27 @@ void fetch(const FetchArguments& arguments) {
 
 }  // namespace
 
-void add_fetch_command(const Command& program, int& exit_code) {
-  const Command command = program.command("fetch",
-                                          "Packs of an archive, whose index is what `sha256sum *.tar.gz` "
-                                          "prints: lists them, or copies them into a "
-                                          "folder, each once its hash is found to be the one in the index. "
-                                          "Nothing in them is run. URLs are fetched "
-                                          "by the program curl.");
-  const auto arguments = std::make_shared<FetchArguments>();
-  command.option("index", arguments->index, "the index: a file or a URL; the packs lie beside it").required();
-  command.option("--packs", arguments->packs, "packs by glob on their names").shows_default();
+void add_fetch_command(const Command& program) {
+  const auto [command, arguments] =
+      program.command("fetch", fetch,
+                      "Packs of an archive, whose index is what `sha256sum *.tar.gz` prints: lists them, or "
+                      "copies them into a folder, each once its hash is found to be the one in the index. "
+                      "Nothing in them is run. URLs are fetched by the program curl.");
+  command.option("index", arguments->index, "the index: a file or a URL; the packs lie beside it",
+                 {.required = true});
+  command.option("--packs", arguments->packs, "packs by glob on their names");
   command.option("--out", arguments->out, "folder to copy them into; if absent they are listed");
-  command.on_run([arguments, &exit_code] {
-    fetch(*arguments);
-    exit_code = kDone;
-  });
 }
 
-void add_pack_command(const Command& program, int& exit_code) {
-  struct Arguments {
-    std::string folder, out;
-  };
-  const Command command = program.command(
-      "pack",
+void add_pack_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "pack", pack,
       "A run as one file, for others to verify and to report beside theirs: records, plan, manifest (with "
       "the command line), the descriptions of commands that are loaded by --plugin, and hashes of all. A "
       "gzipped tar archive; report, compare and verify take it in place of a folder.");
-  const auto arguments = std::make_shared<Arguments>();
-  command.option("dir", arguments->folder, "folder of a run").required();
-  command.option("--out", arguments->out, "the file, NAME.tar.gz: tables call the run NAME").required();
-  command.on_run([arguments, &exit_code] {
-    pack(arguments->folder, arguments->out);
-    exit_code = kDone;
-  });
+  command.option("dir", arguments->folder, "folder of a run", {.required = true});
+  command.option("--out", arguments->out, "the file, NAME.tar.gz: tables call the run NAME",
+                 {.required = true});
 }
 
 }  // namespace signorini

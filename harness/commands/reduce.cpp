@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <memory>
 #include <string>
 
 #include "harness/commands/command_line.hpp"
@@ -13,16 +12,14 @@ namespace signorini {
 
 namespace {
 
-constexpr int kMostVectors = 2000, kMostProcesses = 4096;
-
 struct ReduceArguments {
   ReductionOrder order;
   std::string out;
   MpiLaunch launch{.processes = 0};
 };
 
-int reduce(ReduceArguments arguments) {
-  ReductionOrder& order = arguments.order;
+int reduce(const ReduceArguments& arguments) {
+  ReductionOrder order = arguments.order;
   order.out = arguments.out;
   require_scene_file(order.out);
   std::string told;
@@ -47,28 +44,25 @@ int reduce(ReduceArguments arguments) {
 
 }  // namespace
 
-void add_reduce_command(const Command& program, int& exit_code) {
-  const Command command =
-      program.command("reduce", "Writes a small scene whose contacts behave as those of a large structure.");
-  const auto arguments = std::make_shared<ReduceArguments>();
-  command.option("scene", arguments->order.scene, "a scene of the catalogue, or a scene file").required();
-  command
-      .option("--out", arguments->out,
-              "NAME.toml: the scene to write, its matrices beside it in NAME-M.mtx and NAME-K.mtx")
-      .required();
-  command
-      .option("--vectors", arguments->order.vectors,
-              "number of Krylov vectors kept; with at most 20 contacts and loads rounded up to whole blocks. "
-              "Default: the larger of 90 and six blocks; with more than 20 contacts and loads 100")
-      .range(1, kMostVectors);
+void add_reduce_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "reduce", reduce, "Writes a small scene whose contacts behave as those of a large structure.");
+  command.option("scene", arguments->order.scene, "a scene of the catalogue, or a scene file",
+                 {.required = true});
+  command.option("--out", arguments->out,
+                 "NAME.toml: the scene to write, its matrices beside it in NAME-M.mtx and NAME-K.mtx",
+                 {.required = true});
+  command.option(
+      "--vectors", arguments->order.vectors,
+      "number of Krylov vectors kept; with at most 20 contacts and loads rounded up to whole blocks. "
+      "Default: the larger of 90 and six blocks; with more than 20 contacts and loads 100",
+      {.range = {1, 2000}});
   const Argument mpi = command.option("--mpi", arguments->launch.processes,
                                       "MPI processes that share the factors of the stiffness, by MUMPS: for "
-                                      "structures whose factors do not fit into the memory of one machine");
-  mpi.range(1, kMostProcesses);
-  command.option("--launcher", arguments->launch.launcher, "what starts them, with its options, before -n N")
-      .needs(mpi)
-      .shows_default();
-  command.on_run([arguments, &exit_code] { exit_code = reduce(*arguments); });
+                                      "structures whose factors do not fit into the memory of one machine",
+                                      {.range = {1, 4096}});
+  command.option("--launcher", arguments->launch.launcher, "what starts them, with its options, before -n N",
+                 {.needs = mpi});
 }
 
 }  // namespace signorini

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "harness/commands/command_line.hpp"
@@ -85,35 +84,27 @@ void report(const ReportArguments& arguments) {
 
 }  // namespace
 
-void add_report_command(const Command& program, int& exit_code) {
-  const Command command = program.command(
-      "report", "Tables, figures and a page from the records of a run, written to its folder.");
-  const auto arguments = std::make_shared<ReportArguments>();
-  command
-      .option("dir", arguments->folders,
-              "folder with records.jsonl, or file that pack made; several: one report of all, their methods "
-              "with the names of the folders and files, times of other machines scaled")
-      .required();
+void add_report_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "report", report, "Tables, figures and a page from the records of a run, written to its folder.");
+  command.option(
+      "dir", arguments->folders,
+      "folder with records.jsonl, or file that pack made; several: one report of all, their methods "
+      "with the names of the folders and files, times of other machines scaled",
+      {.required = true});
   command.option("--out", arguments->out,
                  "of several runs, or of a pack: folder of their records side by side and of the report, new "
                  "or of an earlier such report");
-  command
-      .option(
-          "--format", arguments->formats,
-          "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), screen "
-          "(printed as at the end of run, no file), separated by commas; tex also draws figures/*.svg and "
-          "*.pdf, which needs gnuplot")
-      .separated_by(',')
-      .one_of(formats_known())
-      .shows_default();
+  command.option(
+      "--format", arguments->formats,
+      "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), screen "
+      "(printed as at the end of run, no file), separated by commas; tex also draws figures/*.svg and "
+      "*.pdf, which needs gnuplot",
+      {.separated_by = ',', .one_of = formats_known()});
   add_column_option(command, arguments->column, "figures/*");
   command.option("--into", arguments->document,
                  "instead bring the tables in this Markdown file up to date, each between the lines <!-- "
                  "table RUN/SECTION [WORD] --> and <!-- /table -->; RUN is the folder's name");
-  command.on_run([arguments, &exit_code] {
-    report(*arguments);
-    exit_code = kDone;
-  });
 }
 
 }  // namespace signorini

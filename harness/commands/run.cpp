@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
 
 #include "harness/build_info.hpp"
-#include "harness/cluster/scripts.hpp"
 #include "harness/commands/command_line.hpp"
 #include "harness/doctor/calibration.hpp"
 #include "harness/failure.hpp"
@@ -17,7 +14,6 @@
 #include "harness/interrupt.hpp"
 #include "harness/plan/scene_choice.hpp"
 #include "harness/plan/suite.hpp"
-#include "harness/records/line_file.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/screen.hpp"
@@ -201,66 +197,54 @@ int run_suite(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run_command(const Command& program, int& exit_code, const std::vector<std::string>& words) {
-  const Command command = program.command(
-      "run", "The benchmark: every method of a suite on every scene, at several resolutions.");
-  const auto arguments = std::make_shared<RunArguments>();
-  arguments->words = words;
-  command.option("suite", arguments->suite, "suite name or file").shows_default();
+void add_run_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "run", run_suite, "The benchmark: every method of a suite on every scene, at several resolutions.");
+  arguments->words = command.words();
+  command.option("suite", arguments->suite, "suite name or file");
   command.option("--methods", arguments->narrowing.methods,
                  "methods by glob, A*:B*-C*, options in brackets: name[key=v1|v2,key=v]");
-  command
-      .option(
-          "--scenes", arguments->narrowing.scenes,
-          "scenes of the suite by glob, A*:B*-C*, others that ship by name, and files, folders or globs of "
-          "files of one's own, own.toml:folder:'more/*.toml'; may be repeated")
-      .one_word();
+  command.option(
+      "--scenes", arguments->narrowing.scenes,
+      "scenes of the suite by glob, A*:B*-C*, others that ship by name, and files, folders or globs of "
+      "files of one's own, own.toml:folder:'more/*.toml'; may be repeated",
+      {.one_word = true});
   command.option(
       "--out", arguments->out,
       "folder of the results; results/local-SUITE if absent, of one scene of one's own local-SCENE");
   command.flag("--resume", arguments->resume,
                "keep the records that are there, run what is missing or stale");
-  command.option("--timeout", arguments->timeout, "processor time of one run [s]").check(positive_seconds);
-  command.option("--memory", arguments->memory_mb, "address space that one run may take [MiB]")
-      .range(64, 1 << 24);
-  command.option("--repetitions", arguments->repetitions, "rounds of timing").range(1, 1000);
+  command.option("--timeout", arguments->timeout, "processor time of one run [s]",
+                 {.complaint = positive_seconds});
+  command.option("--memory", arguments->memory_mb, "address space that one run may take [MiB]",
+                 {.range = {64, 1 << 24}});
+  command.option("--repetitions", arguments->repetitions, "rounds of timing", {.range = {1, 1000}});
   command.flag(
       "--verbose", arguments->verbose,
       "print every table of table.md, each scene's as soon as it is done, before the closing screen");
   command.flag("--waveforms", arguments->waveforms,
                "keep the motions in the records, for the figures of report; doubles their size");
-  command
-      .option("--instances", arguments->narrowing.instances,
-              "scenes drawn from each file with ranges (0: as written); if absent as the suite says")
-      .range(0, kMostInstances);
-  command
-      .option("--seed", arguments->schedule.seed,
-              "of the scenes that are drawn (--instances), and of the random order of a scene's cases in "
-              "each round")
-      .check(not_negative)
-      .shows_default();
-  command
-      .option("--jobs", arguments->schedule.parallel,
-              "cases run at the same time; with more than one, times are not comparable, and say so")
-      .range(1, 1024)
-      .shows_default();
-  command
-      .option("--beside", arguments->schedule.beside,
-              "runs that share this machine, this one included; their times are marked as not comparable")
-      .range(1, 1024)
-      .shows_default();
+  command.option("--instances", arguments->narrowing.instances,
+                 "scenes drawn from each file with ranges (0: as written); if absent as the suite says",
+                 {.range = {0, kMostInstances}});
+  command.option("--seed", arguments->schedule.seed,
+                 "of the scenes that are drawn (--instances), and of the random order of a scene's cases in "
+                 "each round",
+                 {.complaint = not_negative});
+  command.option("--jobs", arguments->schedule.parallel,
+                 "cases run at the same time; with more than one, times are not comparable, and say so",
+                 {.range = {1, 1024}});
+  command.option("--beside", arguments->schedule.beside,
+                 "runs that share this machine, this one included; their times are marked as not comparable",
+                 {.range = {1, 1024}});
   const Argument shard =
-      command
-          .option("--shard", arguments->shard,
-                  "I/N: only part I of N, all methods of a scene in one part; merge joins them")
-          .check(not_empty)
-          .type_name("I/N");
-  command
-      .option("--durations", arguments->durations,
-              "folder of an earlier run whose times balance the shards; the same for all of them")
-      .needs(shard);
+      command.option("--shard", arguments->shard,
+                     "I/N: only part I of N, all methods of a scene in one part; merge joins them",
+                     {.type_name = "I/N", .complaint = not_empty});
+  command.option("--durations", arguments->durations,
+                 "folder of an earlier run whose times balance the shards; the same for all of them",
+                 {.needs = shard});
   command.flag("--dry-run", arguments->dry_run, "print the plan, one case per line, and run nothing");
-  command.on_run([arguments, &exit_code] { exit_code = run_suite(*arguments); });
 }
 
 }  // namespace signorini

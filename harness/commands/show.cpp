@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -13,9 +12,9 @@
 #include "harness/plan/plan.hpp"
 #include "harness/plots/schematic_plot.hpp"
 #include "harness/records/record.hpp"
-#include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/schematic/schematic.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/words.hpp"
 #include "methods/catalogue.hpp"
 #include "methods/structure/bases/block_lanczos.hpp"
@@ -36,9 +35,8 @@ namespace {
 constexpr int kMostEigen = 1000;
 constexpr int kMostGyroscopic = 300;
 constexpr double kHertz = 0.5 / std::numbers::pi;  // of 1 rad/s
-constexpr std::size_t kMostShown = 12;
-constexpr std::size_t kMostContacts = 12;
-constexpr std::size_t kShownColumns = 80, kShowIndent = 18, kOptionIndent = 38;
+constexpr std::size_t kMostShown = 12;             // of numbers, and of contacts
+constexpr std::size_t kShowIndent = 18, kOptionIndent = 38;
 
 /// "1.2, 3.4, ... (20 in all)"
 std::string first_of(const std::vector<double>& found, const char* form = "{:.6g}") {
@@ -183,11 +181,11 @@ std::string law_words(const Law& law) {
 }
 
 void show_title(const std::string& name, const std::string& title) {
-  fmt::print("{}", named_lines("", 0, title.empty() ? name : name + ": " + title, kShownColumns));
+  fmt::print("{}", named_lines("", 0, title.empty() ? name : name + ": " + title, kTerminalWidth));
 }
 
 void show_line(const std::string& name, const std::string& text) {
-  fmt::print("{}", named_lines(name, kShowIndent, text, kShownColumns));
+  fmt::print("{}", named_lines(name, kShowIndent, text, kTerminalWidth));
 }
 
 /// "a to b rad/s (c to d Hz)"
@@ -263,7 +261,7 @@ std::string stop_text(const Problem& problem, const std::vector<DampedStop>& dam
 void show_contacts(const Problem& problem, const std::vector<DampedStop>& damped) {
   const std::vector<Contact> contacts = contacts_of_structure(problem.contacts, damped);
   const std::size_t count = problem.contacts.size();
-  const std::size_t shown = count <= kMostContacts ? count : kMostContacts - 1;
+  const std::size_t shown = count <= kMostShown ? count : kMostShown - 1;
   for (std::size_t i = 0; i < shown; ++i)
     show_line(fmt::format("contact {}", i),
               contact_text(problem, contacts[i], static_cast<int>(i)) + stop_text(problem, damped, i));
@@ -302,11 +300,16 @@ void show_method(const MethodEntry& entry) {
   for (const OptionEcho& option : entry.make({})->options()) {
     const std::string name =
         fmt::format("  {:<16}{:<12} {:<6} ", option.name, print_option(option.value), option.unit);
-    fmt::print("{}", named_lines(name, kOptionIndent, option.meaning, kShownColumns));
+    fmt::print("{}", named_lines(name, kOptionIndent, option.meaning, kTerminalWidth));
   }
 }
 
-void show(const std::string& name, const std::string& plot) {
+struct ShowArguments {
+  std::string name, plot;
+};
+
+void show(const ShowArguments& arguments) {
+  const auto& [name, plot] = arguments;
   for (const MethodEntry& entry : method_catalogue()) {
     if (entry.name != name) continue;
     if (!plot.empty()) throw UsageError("plot = " + plot + " (must be left out: a method has no picture)");
@@ -327,17 +330,12 @@ void show(const std::string& name, const std::string& plot) {
 
 }  // namespace
 
-void add_show_command(const Command& program, int& exit_code) {
-  const Command command = program.command(
-      "show", "A scene (sizes, eigenfrequencies, contacts, and its picture) or a method (options).");
-  const auto name = std::make_shared<std::string>();
-  command.option("name", *name, "a method, a scene of the catalogue, or a scene file").required();
-  const auto plot = std::make_shared<std::string>();
-  add_plot_option(command, *plot, "the mechanical system of the scene");
-  command.on_run([name, plot, &exit_code] {
-    show(*name, *plot);
-    exit_code = kDone;
-  });
+void add_show_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "show", show, "A scene (sizes, eigenfrequencies, contacts, and its picture) or a method (options).");
+  command.option("name", arguments->name, "a method, a scene of the catalogue, or a scene file",
+                 {.required = true});
+  add_plot_option(command, arguments->plot, "the mechanical system of the scene");
 }
 
 }  // namespace signorini

@@ -38,37 +38,6 @@ struct SolveArguments {
   Column column = Column::own;
 };
 
-/// Prints what the method says once the harness has judged it, for whether the motion is stable stands in the
-/// first lines; a terminal sees meanwhile for how long. What an interrupt leaves unjudged is printed, too.
-class AnswerPrinter {
- public:
-  AnswerPrinter(const std::string& method, SolveOutput output)
-      : output_(output), waiting_(std::in_place, "solving by " + method) {}
-
-  void answer(const Record& record) {
-    waiting_.reset();
-    answer_ = record;
-    waiting_.emplace("looking for the orbit behind the answer");
-  }
-
-  /// Before anything else is printed.
-  void stop_waiting() { waiting_.reset(); }
-
-  /// What there is of an answer after an interrupt.
-  void unjudged() const {
-    if (answer_) fmt::print("{}", answer_text(*answer_, output_));
-  }
-
-  void judgement(const Record& record) const {
-    fmt::print("{}{}", answer_text(record, output_), judgement_text(record, output_));
-  }
-
- private:
-  SolveOutput output_;
-  std::optional<Waiting> waiting_;
-  std::optional<Record> answer_;
-};
-
 /// The motion to start from. \throws UsageError where it is none for the scene and the method
 std::shared_ptr<const Trajectory> start_of(const SolveArguments& arguments, const Scene& scene,
                                            const Case& planned_case) {
@@ -91,11 +60,10 @@ void require_coordinates(const std::vector<int>& dofs, int size) {
 }
 
 /// What following a motion through time costs grows with the coordinates [s].
-double certificate_seconds(const Problem& problem) {
-  constexpr double kPerCoordinate = 1.0, kLeast = 10.0, kMost = 120.0;
-  return std::clamp(kPerCoordinate * problem.size(), kLeast, kMost);
-}
+double certificate_seconds(const Problem& problem) { return std::clamp(1.0 * problem.size(), 10.0, 120.0); }
 
+/// Prints what the method says once the harness has judged it, for whether the motion is stable stands in the
+/// first lines; a terminal sees meanwhile for how long. What an interrupt leaves unjudged is printed, too.
 int solve(const SolveArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
   const std::vector cases{
@@ -110,83 +78,75 @@ int solve(const SolveArguments& arguments) {
                  .repetitions = 1,
                  .certificate_timeout = arguments.certificate.value_or(certificate_seconds(scene.problem)),
                  .reference_timeout = arguments.reference.value_or(0.0)});
-  constexpr double kPlotTolerance = 2e-4;  // below what is seen on a page
-  if (!arguments.plot.empty()) runner.keep_waveforms(kPlotTolerance);
+  if (!arguments.plot.empty()) runner.keep_waveforms(2e-4);  // below what is seen on a page
   const std::vector<Job> jobs = runner.make_jobs(scene, cases);
   if (interrupted()) return kInterrupted;
-  AnswerPrinter printer(arguments.method, {arguments.verbose, takes_colour(STDOUT_FILENO)});
-  if (!arguments.json) extras.on_answer = [&](const Record& answer) { printer.answer(answer); };
+  std::optional<Waiting> waiting(std::in_place, "solving by " + arguments.method);
+  std::optional<Record> unjudged;
+  if (!arguments.json)
+    extras.on_answer = [&](const Record& answer) {
+      waiting.reset();
+      unjudged = answer;
+      waiting.emplace("looking for the orbit behind the answer");
+    };
   runner.compute_references(scene, jobs);
   std::optional<Record> record = runner.run(scene, jobs.front(), extras);
-  printer.stop_waiting();
+  waiting.reset();
+  const SolveOutput output{arguments.verbose, takes_colour(STDOUT_FILENO)};
   if (!record) {
-    if (!arguments.json) printer.unjudged();
+    if (unjudged) fmt::print("{}", answer_text(*unjudged, output));
     return kInterrupted;
   }
   const std::optional<Waveforms> waveforms = std::exchange(record->waveforms, std::nullopt);
   if (arguments.json) {
     fmt::print("{}\n", json_line(to_json(*record)));
   } else {
-    printer.judgement(*record);
+    fmt::print("{}{}", answer_text(*record, output), judgement_text(*record, output));
   }
   if (waveforms) write_plot(arguments.plot, motion_plot(scene, *record, *waveforms, arguments.column));
   return record->status == Status::converged ? kDone : kUnexpectedFailure;
 }
 
-// A record is one JSON object: at 65,536 instants some 5 MB for each contact.
-constexpr int kMostSamples = 1 << 16;
-constexpr int kMostHarmonics = 1000;
-
 }  // namespace
 
-void add_solve_command(const Command& program, int& exit_code) {
-  const Command command = program.command(
-      "solve", "One periodic motion, its stability and its error, by one method on one scene.");
-  const auto arguments = std::make_shared<SolveArguments>();
-  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file").required();
-  command.option("--method", arguments->method, "method name; see `signorini list methods`").required();
-  command.option("--set", arguments->settings, "key=value: an option of the method; may be repeated")
-      .one_word()
-      .type_name("KEY=VALUE");
-  command.option("--samples", arguments->samples, "add the motion at this many instants of its period")
-      .range(1, kMostSamples);
-  command
-      .option("--dofs", arguments->dofs,
-              "coordinates whose motion is wanted too, separated by commas, the first is 0")
-      .separated_by(',')
-      .one_word()
-      .type_name("I,J");
-  command
-      .option("--harmonics", arguments->harmonics,
-              "print amplitude and phase of this many harmonics of the motion's period")
-      .range(0, kMostHarmonics)
-      .shows_default();
+void add_solve_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "solve", solve, "One periodic motion, its stability and its error, by one method on one scene.");
+  command.option("scene", arguments->scene, "a scene of the catalogue, or a scene file", {.required = true});
+  command.option("--method", arguments->method, "method name; see `signorini list methods`",
+                 {.required = true});
+  command.option("--set", arguments->settings, "key=value: an option of the method; may be repeated",
+                 {.type_name = "KEY=VALUE", .one_word = true});
+  // A record is one JSON object: at 65,536 instants some 5 MB for each contact.
+  command.option("--samples", arguments->samples, "add the motion at this many instants of its period",
+                 {.range = {1, 1 << 16}});
+  command.option("--dofs", arguments->dofs,
+                 "coordinates whose motion is wanted too, separated by commas, the first is 0",
+                 {.type_name = "I,J", .one_word = true, .separated_by = ','});
+  command.option("--harmonics", arguments->harmonics,
+                 "print amplitude and phase of this many harmonics of the motion's period",
+                 {.range = {0, 1000}});
   command.option("--start", arguments->start,
                  "start from the motion in a file that solve --json --samples wrote");
-  command
-      .option(
-          "--timeout", arguments->timeout,
-          "processor time of the method [s], 30 if it is not given; the wall time may be ten times as long")
-      .check(positive_seconds);
-  command
-      .option(
-          "--certificate", arguments->certificate,
-          "processor time of the search for an exact motion near the result [s], 0 for none; if it is not "
-          "given a second for each coordinate of the scene, at least 10 and at most 120")
-      .range(0.0, 86400.0);
-  command
-      .option(
-          "--reference", arguments->reference,
-          "integrate from rest, for at most this processor time [s], 60 if no time is given, to tell whether "
-          "the motion ends on the same orbit; without this only the orbits of results/references tell")
-      .range(0.0, 86400.0)
-      .alone_means("60");
+  command.option(
+      "--timeout", arguments->timeout,
+      "processor time of the method [s], 30 if it is not given; the wall time may be ten times as long",
+      {.complaint = positive_seconds});
+  command.option(
+      "--certificate", arguments->certificate,
+      "processor time of the search for an exact motion near the result [s], 0 for none; if it is not "
+      "given a second for each coordinate of the scene, at least 10 and at most 120",
+      {.interval = {0.0, 86400.0}});
+  command.option(
+      "--reference", arguments->reference,
+      "integrate from rest, for at most this processor time [s], 60 if no time is given, to tell whether "
+      "the motion ends on the same orbit; without this only the orbits of results/references tell",
+      {.alone_means = "60", .interval = {0.0, 86400.0}});
   command.flag("--json", arguments->json, "print the record as JSON");
   command.flag("--verbose", arguments->verbose,
                "print every contact, impact and phase of contact, and what the solver counted");
   add_plot_option(command, arguments->plot, "displacement, velocity, impulse and phase portrait");
   add_column_option(command, arguments->column, "the picture");
-  command.on_run([arguments, &exit_code] { exit_code = solve(*arguments); });
 }
 
 }  // namespace signorini

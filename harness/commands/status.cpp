@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 
 #include "harness/commands/command_line.hpp"
 #include "harness/table.hpp"
@@ -37,8 +36,7 @@ std::vector<NamedStatus> read_statuses(const fs::path& folder) {
     }
   }
   if (statuses.empty()) return {{folder.string(), status_of(read_run(folder))}};
-  std::sort(statuses.begin(), statuses.end(),
-            [](const NamedStatus& a, const NamedStatus& b) { return natural_less(a.name, b.name); });
+  std::ranges::sort(statuses, natural_less, &NamedStatus::name);
   std::vector<RunStatus> parts;
   for (const NamedStatus& one : statuses) parts.push_back(one.status);
   statuses.push_back({"all", together(parts)});
@@ -75,43 +73,39 @@ void print_table(const std::vector<NamedStatus>& statuses) {
       {"run", "planned", "converged", "inaccurate", "not applicable", "failed", "pending", "stale", "state"},
       {}};
   for (const auto& [name, s] : statuses) {
-    table.rows.push_back({name, std::to_string(s.planned), std::to_string(s.converged),
-                          std::to_string(s.inaccurate), std::to_string(s.not_applicable),
-                          std::to_string(s.failed), std::to_string(s.pending), std::to_string(s.stale),
-                          rest_text(s)});
+    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{name});
+    for (const std::size_t count :
+         {s.planned, s.converged, s.inaccurate, s.not_applicable, s.failed, s.pending, s.stale})
+      row.emplace_back(std::to_string(count));
+    row.emplace_back(rest_text(s));
   }
   fmt::print("{}", to_columns(table, kTerminalWidth));
   for (const Failure& failure : statuses.back().status.failures)
     fmt::print("{}: {}\n", status_name(failure.status), failure.case_id);
 }
 
-int status(const std::string& folder, bool json) {
-  const std::vector<NamedStatus> statuses = read_statuses(folder);
-  if (!json) {
-    print_table(statuses);
-    return kDone;
-  }
+struct StatusArguments {
+  std::string folder;
+  bool json = false;
+};
+
+void status(const StatusArguments& arguments) {
+  const std::vector<NamedStatus> statuses = read_statuses(arguments.folder);
+  if (!arguments.json) return print_table(statuses);
   Json list = Json::array();
   for (const NamedStatus& one : statuses) list.push_back(to_json(one));
   fmt::print("{}\n", json_text(list));
-  return kDone;
 }
 
 }  // namespace
 
-void add_status_command(const Command& program, int& exit_code) {
-  struct Arguments {
-    std::string folder;
-    bool json = false;
-  };
-  const Command command =
-      program.command("status",
+void add_status_command(const Command& program) {
+  const auto [command, arguments] =
+      program.command("status", status,
                       "How far a run has come: cases done, failed and pending, and the time that the "
                       "rest will take. Of a folder of shards: each of them, and all.");
-  const auto arguments = std::make_shared<Arguments>();
-  command.option("dir", arguments->folder, "folder of a run, or of shards").required();
+  command.option("dir", arguments->folder, "folder of a run, or of shards", {.required = true});
   command.flag("--json", arguments->json, "print a JSON array, the sum last");
-  command.on_run([arguments, &exit_code] { exit_code = status(arguments->folder, arguments->json); });
 }
 
 }  // namespace signorini

@@ -79,11 +79,10 @@ int submit(const SubmitArguments& arguments, const fs::path& folder, const std::
 
 std::shared_ptr<SubmitArguments> add_common(const Command& command) {
   auto arguments = std::make_shared<SubmitArguments>();
-  command.option("dir", arguments->folder, "folder of the shards, of their logs, and of the whole (merged)")
-      .required();
-  command.option("--shards", arguments->submission.shards, "parts; each scene is in one of them")
-      .required()
-      .range(1, 10000);
+  command.option("dir", arguments->folder, "folder of the shards, of their logs, and of the whole (merged)",
+                 {.required = true});
+  command.option("--shards", arguments->submission.shards, "parts; each scene is in one of them",
+                 {.required = true, .range = {1, 10000}});
   command.flag("--dry-run", arguments->dry_run, "print the scripts, write and submit nothing");
   command.take_rest();
   command.footer(
@@ -93,7 +92,7 @@ std::shared_ptr<SubmitArguments> add_common(const Command& command) {
 
 }  // namespace
 
-void add_submit_command(const Command& program, int& exit_code) {
+void add_submit_command(const Command& program) {
   const Command command =
       program.command("submit", "Runs a suite in shards, on a cluster or side by side, and merges them.");
   command.require_command();
@@ -101,29 +100,25 @@ void add_submit_command(const Command& program, int& exit_code) {
       "slurm",
       "A Slurm job array, one task for each shard on a node of its own, and a merge job that follows it.");
   const auto array = add_common(slurm);
-  slurm
-      .option("--sbatch", array->submission.sbatch_words,
-              "an option of sbatch, as --sbatch=--time=60; repeatable")
-      .one_word();
-  slurm.on_run([slurm, array, &exit_code] {
+  slurm.option("--sbatch", array->submission.sbatch_words,
+               "an option of sbatch, as --sbatch=--time=60; repeatable", {.one_word = true});
+  slurm.on_run([slurm, array] {
     const Submission s = submission_of(*array, slurm);
-    exit_code = submit(*array, s.folder, "sbatch", slurm_run_command(s, "1"),
-                       {{"array.sh", slurm_array_script(s)},
-                        {"merge.sh", slurm_merge_script(s)},
-                        {"submit.sh", slurm_submit_script(s)}});
+    return submit(*array, s.folder, "sbatch", slurm_run_command(s, "1"),
+                  {{"array.sh", slurm_array_script(s)},
+                   {"merge.sh", slurm_merge_script(s)},
+                   {"submit.sh", slurm_submit_script(s)}});
   });
   const Command parallel =
       command.command("parallel", "Shards by GNU parallel on this machine, then the merge.");
   const auto tasks = add_common(parallel);
-  parallel
-      .option("--at-once", tasks->submission.at_once,
-              "shards at the same time; with more than one, times are not comparable")
-      .range(1, 1024)
-      .shows_default();
-  parallel.on_run([parallel, tasks, &exit_code] {
+  parallel.option("--at-once", tasks->submission.at_once,
+                  "shards at the same time; with more than one, times are not comparable",
+                  {.range = {1, 1024}});
+  parallel.on_run([parallel, tasks] {
     const Submission s = submission_of(*tasks, parallel);
-    exit_code = submit(*tasks, s.folder, "parallel", parallel_run_command(s, "1"),
-                       {{"parallel.sh", parallel_script(s)}});
+    return submit(*tasks, s.folder, "parallel", parallel_run_command(s, "1"),
+                  {{"parallel.sh", parallel_script(s)}});
   });
 }
 

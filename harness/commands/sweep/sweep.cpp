@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -12,7 +11,6 @@
 #include "harness/commands/sweep/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/plan/deadline.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/plots/response_plot.hpp"
 #include "harness/progress.hpp"
@@ -29,20 +27,53 @@
 
 namespace signorini {
 
-namespace {
-
-// The folder of --out, if there is one. \throws UsageError
-std::optional<ResponseFolder> folder_of(const SweepArguments& arguments, const Scene& scene) {
+std::optional<ResponseFolder> folder_of(const SweepArguments& arguments,
+                                        const nlohmann::ordered_json& question) {
   if (!arguments.out) return std::nullopt;
-  return std::optional<ResponseFolder>(std::in_place, *arguments.out, question_of(arguments, scene),
-                                       arguments.words, arguments.resume);
+  return std::optional<ResponseFolder>(std::in_place, *arguments.out, question, arguments.words,
+                                       arguments.resume);
 }
 
-void tell_interrupted(const SweepArguments& arguments) {
+MethodResponse kept_or_followed(std::optional<ResponseFolder>& folder, const MethodChoice& method,
+                                MethodResponse response, const UseResponse& follow,
+                                const UseResponse& replay) {
+  const std::string key = response_key(method);
+  if (auto kept = folder ? folder->complete(response.method, key) : std::nullopt) {
+    response.diagram = std::move(kept->diagram);
+    response.steps = std::move(kept->steps);
+    replay(response);
+    return response;
+  }
+  follow(response);
+  if (folder && !interrupted() && response.failure.empty()) folder->finish(response, key);
+  return response;
+}
+
+void draw(const SweepArguments& arguments, const std::vector<MethodResponse>& responses,
+          const std::string& scene, const std::vector<AttractorsAt>& attractors) {
+  if (arguments.plot.empty()) return;
+  const auto ordinate = arguments.bifurcation ? ResponseOrdinate::once_a_period : ResponseOrdinate::amplitude;
+  write_plot(arguments.plot,
+             response_plot(scene, responses, ordinate, arguments.column, attractors, arguments.parameter));
+}
+
+namespace {
+
+// The exit code after an interrupt, with what --resume would do.
+int end_interrupted(const SweepArguments& arguments) {
   if (arguments.out)
     fmt::print(stderr, "interrupted; the same command with --resume --out {} does the rest\n",
                *arguments.out);
+  return kInterrupted;
 }
+
+// Where the answers of one command go as they come.
+struct Sweep {
+  const SweepArguments& arguments;
+  const Scene& scene;
+  std::optional<ResponseFolder> folder;
+  ResponseStream stream;
+};
 
 void print_steps(const SweepArguments& arguments, const MethodResponse& response) {
   if (arguments.format == "jsonl") return;  // each as it came
@@ -60,121 +91,92 @@ void print_steps(const SweepArguments& arguments, const MethodResponse& response
   for (const std::string& line : shortcomings(response, {})) fmt::print(stderr, "{}\n", line);
 }
 
-// Points of one method, each solved from the one before.
-std::vector<SweepPoint> steps(const SweepArguments& arguments, const Scene& scene, const MethodChoice& method,
-                              const TakePoint& take) {
+// Points of one method, each solved from the one before, kept and printed as it comes.
+void follow_steps(Sweep& sweep, const MethodChoice& method, MethodResponse& response) {
+  const SweepArguments& arguments = sweep.arguments;
+  const Scene& scene = sweep.scene;
   (void)make_case(scene, 0, method);  // a bad option is told before anything else
   if (method.start()) throw UsageError("set = start (must be left out: each solve starts from the last)");
   const std::size_t points = sweep_frequencies(arguments.range).size() * (arguments.range.back ? 2 : 1);
   Progress progress(points);
   progress.begin(scene.problem.name);
-  auto found =
+  response.steps =
       frequency_response(scene, method, arguments.range, arguments.limits, [&](const SweepPoint& point) {
-        if (take) take(point);
+        if (sweep.folder) sweep.folder->add(response, point);
+        sweep.stream.step(response, point);
         progress.advance();
         progress.begin(fmt::format("{:.6g} rad/s", point.frequency));
       });
-  if (interrupted()) fmt::print(stderr, "interrupted after {} of {} points\n", found.size(), points);
-  return found;
+  if (interrupted()) fmt::print(stderr, "interrupted after {} of {} points\n", response.steps.size(), points);
 }
 
 bool all_converged(const std::vector<SweepPoint>& points) {
-  return std::all_of(points.begin(), points.end(),
-                     [](const SweepPoint& point) { return point.status == Status::converged; });
+  return std::ranges::all_of(
+      points, [](Status s) { return s == Status::converged; }, &SweepPoint::status);
+}
+
+// The response of a method, kept and printed as it comes: what the folder has kept of it as it would have
+// come.
+MethodResponse respond(Sweep& sweep, const MethodChoice& method, const UseResponse& follow) {
+  const SweepRange& range = sweep.arguments.range;
+  MethodResponse blank{
+      .method = method.label(),
+      .other_law = law_remark_of(sweep.scene, method),
+      .order = sweep.scene.problem.subharmonic,
+      .parameter = sweep.arguments.parameter,
+      .at_values = !range.at.empty(),
+      .asked = ParameterRange{.low = std::min(range.from, range.to), .high = std::max(range.from, range.to)}};
+  return kept_or_followed(sweep.folder, method, std::move(blank), follow, [&](const MethodResponse& kept) {
+    for (const Branch& branch : kept.diagram.branches) sweep.stream.branch(kept, branch);
+    for (const SweepPoint& step : kept.steps) sweep.stream.step(kept, step);
+  });
 }
 
 int sweep_steps(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
   const MethodChoice method{&find_method(arguments.method), parse_settings(arguments.settings)};
-  std::optional<ResponseFolder> folder = folder_of(arguments, scene);
-  const std::string label = method.label(), key = response_key(method);
+  Sweep sweep{arguments, scene, folder_of(arguments, question_of(arguments, scene)),
+              ResponseStream(arguments.format == "jsonl" ? "jsonl" : "", {})};
   watch_interrupts();
-  ResponseStream stream(arguments.format, {});
-  MethodResponse response{.method = label, .other_law = law_remark_of(scene, method)};
-  const TakePoint print_line = [&](const SweepPoint& point) {
-    if (arguments.format == "jsonl") stream.step(response, point);
-  };
-  const std::optional<MethodResponse> kept = folder ? folder->complete(label, key) : std::nullopt;
-  response.steps = kept ? kept->steps : steps(arguments, scene, method, [&](const SweepPoint& point) {
-    if (folder) folder->add(response, point);
-    print_line(point);
-  });
-  if (kept) std::for_each(response.steps.begin(), response.steps.end(), print_line);
-  if (folder && !kept && !interrupted()) folder->finish(response, key);
+  MethodResponse response =
+      respond(sweep, method, [&](MethodResponse& made) { follow_steps(sweep, method, made); });
+  response.asked.reset();  // it is drawn over the frequencies that were solved
   print_steps(arguments, response);
-  if (!arguments.plot.empty())
-    write_plot(arguments.plot,
-               response_plot(scene.problem.name, {response}, ResponseOrdinate::amplitude, arguments.column));
-  if (interrupted()) {
-    tell_interrupted(arguments);
-    return kInterrupted;
-  }
+  draw(arguments, {response}, scene.problem.name);
+  if (interrupted()) return end_interrupted(arguments);
   return all_converged(response.steps) ? kDone : kUnexpectedFailure;
 }
 
-// An empty response of a method.
-MethodResponse blank_response(const SweepArguments& arguments, const Scene& scene,
-                              const MethodChoice& method) {
-  return {.method = method.label(),
-          .other_law = law_remark_of(scene, method),
-          .order = scene.problem.subharmonic,
-          .parameter = arguments.parameter,
-          .at_values = !arguments.range.at.empty(),
-          .asked = ParameterRange{.low = std::min(arguments.range.from, arguments.range.to),
-                                  .high = std::max(arguments.range.from, arguments.range.to)}};
-}
-
-// Prints what a folder has kept as it would have come.
-void replay(const MethodResponse& response, ResponseStream& stream) {
-  for (const Branch& branch : response.diagram.branches) stream.branch(response, branch);
-  for (const SweepPoint& step : response.steps) stream.step(response, step);
-}
-
-// Motions at which branches begin too, of as many searches as are asked for.
-std::vector<KnownMotion> searched(const SweepArguments& arguments, const ParametrisedScene& varied,
-                                  int max_order) {
-  constexpr double kShareOfSearches = 0.5;  // of the time
-  if (arguments.searches == 0) return {};
-  return searched_motions(varied, arguments.searches, max_order, kShareOfSearches * arguments.total_time);
-}
-
 // What one method makes of the response, kept and printed as it comes where the format allows.
-MethodResponse response_of(const SweepArguments& arguments, const Scene& scene,
-                           const ParametrisedScene& varied, const MethodChoice& method,
-                           ResponseStream& stream, ResponseFolder* folder) {
+void follow_response(Sweep& sweep, const ParametrisedScene& varied, const MethodChoice& method,
+                     MethodResponse& response) {
+  const SweepArguments& arguments = sweep.arguments;
   const std::vector<double>& values = arguments.range.at;
-  MethodResponse response = blank_response(arguments, scene, method);
   CurveLimits limits = arguments.branches;
-  limits.max_order = arguments.max_order.value_or(default_orders(scene.problem, method));
+  limits.max_order = arguments.max_order.value_or(default_orders(sweep.scene.problem, method));
   if (!method.entry->exact) limits.begin_at.clear(), limits.at.clear();
   limits.at.insert(limits.at.end(), values.begin(), values.end());
   limits.deadline = Deadline::after(arguments.total_time);
   if (arguments.bifurcation) limits.phases = 1;
   limits.take = [&](const Branch& branch) {
     const Branch shown = values.empty() ? branch : points_at(branch, values);
-    if (folder != nullptr) folder->add(response, shown);
-    stream.branch(response, shown);
+    if (sweep.folder) sweep.folder->add(response, shown);
+    sweep.stream.branch(response, shown);
   };
   std::optional<IsolatedBranches> own;
   if (!arguments.natural) {
     std::optional<Waiting> waiting;  // unless lines come meanwhile
-    if (!stream.prints()) waiting.emplace("following branches of " + response.method);
-    own = isolated_branches(varied, method, limits,
-                            [&] { return searched(arguments, varied, limits.max_order); });
-  }
-  if (!own) {
-    response.steps = steps(arguments, scene, method, [&](const SweepPoint& point) {
-      if (folder != nullptr) folder->add(response, point);
-      stream.step(response, point);
+    if (!sweep.stream.prints()) waiting.emplace("following branches of " + response.method);
+    own = isolated_branches(varied, method, limits, [&] {  // begun at orbits that half of the time finds, too
+      return searched_motions(varied, arguments.searches, limits.max_order, 0.5 * arguments.total_time);
     });
-    return response;
   }
+  if (!own) return follow_steps(sweep, method, response);
   response.diagram = std::move(own->diagram);
   response.failure = std::move(own->failure);
   for (Branch& branch : response.diagram.branches) {
     if (!values.empty()) branch = points_at(branch, values);
   }
-  return response;
 }
 
 void print(const SweepArguments& arguments, const std::vector<MethodResponse>& responses) {
@@ -191,24 +193,6 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
   }
 }
 
-// What the folder has kept of a method, or what it makes of the response now.
-MethodResponse kept_or_computed(const SweepArguments& arguments, const Scene& scene,
-                                const ParametrisedScene& varied, const MethodChoice& method,
-                                ResponseStream& stream, std::optional<ResponseFolder>& folder) {
-  const std::string key = response_key(method);
-  if (auto kept = folder ? folder->complete(method.label(), key) : std::nullopt) {
-    MethodResponse response = blank_response(arguments, scene, method);
-    response.diagram = std::move(kept->diagram);
-    response.steps = std::move(kept->steps);
-    replay(response, stream);
-    return response;
-  }
-  MethodResponse response =
-      response_of(arguments, scene, varied, method, stream, folder ? &*folder : nullptr);
-  if (folder && !interrupted() && response.failure.empty()) folder->finish(response, key);
-  return response;
-}
-
 // Branches of several methods, by arc length where a method has a curve of its own. \param all  whether each
 // has one
 std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments, const Scene& scene,
@@ -220,22 +204,22 @@ std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments,
     if (!arguments.natural && (arguments.parameter != kFrequency || has_curve(method)))
       require_curve(varied, method);
   }
-  std::optional<ResponseFolder> folder = folder_of(arguments, scene);
+  Sweep sweep{arguments, scene, folder_of(arguments, question_of(arguments, scene)),
+              ResponseStream(arguments.format, {.method = {},
+                                                .order = scene.problem.subharmonic,
+                                                .parameter = arguments.parameter,
+                                                .at_values = !arguments.range.at.empty()})};
   watch_interrupts();
-  ResponseStream stream(arguments.format, {.method = {},
-                                           .order = scene.problem.subharmonic,
-                                           .parameter = arguments.parameter,
-                                           .at_values = !arguments.range.at.empty()});
   std::vector<MethodResponse> responses;
   all = true;
   for (const MethodChoice& method : methods) {
-    responses.push_back(kept_or_computed(arguments, scene, varied, method, stream, folder));
-    const MethodResponse& response = responses.back();
+    const MethodResponse& response = responses.emplace_back(
+        respond(sweep, method, [&](MethodResponse& made) { follow_response(sweep, varied, method, made); }));
     all = all && response.failure.empty() &&
           (response.steps.empty() ? !response.diagram.branches.empty() : all_converged(response.steps));
     if (interrupted()) break;
   }
-  stream.end();
+  sweep.stream.end();
   return responses;
 }
 
@@ -245,15 +229,8 @@ int sweep_branches(const SweepArguments& arguments) {
   const std::vector<MethodResponse> responses =
       branches_of_methods(arguments, scene, parametrised(arguments, scene), all);
   print(arguments, responses);
-  if (!arguments.plot.empty()) {
-    const auto ordinate =
-        arguments.bifurcation ? ResponseOrdinate::once_a_period : ResponseOrdinate::amplitude;
-    write_plot(arguments.plot, response_plot(scene.problem.name, responses, ordinate, arguments.column));
-  }
-  if (interrupted()) {
-    tell_interrupted(arguments);
-    return kInterrupted;
-  }
+  draw(arguments, responses, scene.problem.name);
+  if (interrupted()) return end_interrupted(arguments);
   if (!all) return kUnexpectedFailure;
   const bool complete =
       std::ranges::all_of(responses, [](const MethodResponse& one) { return missing(one).empty(); });
@@ -341,18 +318,14 @@ int sweep_attractors(const SweepArguments& arguments) {
   AttractorBranches branches;
   if (!arguments.methods.empty()) branches = branches_at(found, arguments, scene, varied, values);
   print_attractors(arguments, branches, found);
-  if (!arguments.plot.empty()) {
-    const auto ordinate =
-        arguments.bifurcation ? ResponseOrdinate::once_a_period : ResponseOrdinate::amplitude;
-    write_plot(arguments.plot, response_plot(scene.problem.name, branches.responses, ordinate,
-                                             arguments.column, found, arguments.parameter));
-  }
+  draw(arguments, branches.responses, scene.problem.name, found);
   if (interrupted()) return kInterrupted;
   const bool told = std::ranges::all_of(found, [](const AttractorsAt& at) { return at.failure.empty(); });
   return !(branches.all && told) ? kUnexpectedFailure : branches.off.empty() ? kDone : kIncomplete;
 }
 
-int sweep(SweepArguments arguments) {
+int sweep(const SweepArguments& given) {
+  SweepArguments arguments = given;
   complete_backbone(arguments);
   complete_free_motions(arguments);
   arguments.range = interval(arguments);
@@ -372,18 +345,16 @@ int sweep(SweepArguments arguments) {
 
 }  // namespace
 
-void add_sweep_command(const Command& program, int& exit_code, const std::vector<std::string>& words) {
-  const Command command = program.command(
-      "sweep",
+void add_sweep_command(const Command& program) {
+  const auto [command, arguments] = program.command(
+      "sweep", sweep,
       "The response over the frequency or another number of the scene, and its picture. "
       "--methods follows branches of one or several methods by arc length, through folds and "
       "grazings; a method that cannot do this is solved in frequency steps. --method solves "
       "one method in frequency steps, each from the result before. Exit code 1 if a solve did "
       "not converge, or no branch was found; 6 if parts or attractors are missing.");
-  const auto arguments = std::make_shared<SweepArguments>();
-  arguments->words = words;
+  arguments->words = command.words();
   add_sweep_options(command, *arguments);
-  command.on_run([arguments, &exit_code] { exit_code = sweep(*arguments); });
 }
 
 }  // namespace signorini

@@ -18,57 +18,47 @@ namespace {
 
 /// Options of branches by arc length.
 void add_branch_options(const Command& command, SweepArguments& arguments) {
-  command
-      .option("--parameter", arguments.parameter,
-              "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap; "
-              "energy: that of free motions [J]")
-      .shows_default();
-  command
-      .option("--max-order,--orders", arguments.max_order,
-              "by arc length: longest period searched [forcing periods]; default 6 for exact-orbit with at "
-              "most ten "
-              "coordinates, else 2")
-      .range(1, 64);
-  command.option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all")
-      .range(1, 10000)
-      .shows_default();
-  command.option("--max-points", arguments.branches.max_points, "by arc length: points of a branch")
-      .range(2, 1000000)
-      .shows_default();
-  command.option("--total-time", arguments.total_time, "by arc length: processor time of all branches [s]")
-      .check(positive_seconds)
-      .shows_default();
-  command
-      .option("--search", arguments.searches,
-              "by arc length, of exact-orbit: begin also at all orbits that `signorini orbits` finds at so "
-              "many values inside, for isolated branches")
-      .range(0, 100)
-      .shows_default();
+  command.option(
+      "--parameter", arguments.parameter,
+      "by arc length: the number to follow, by its place in the scene file, such as contact[0].gap; "
+      "energy: that of free motions [J]");
+  command.option(
+      "--max-order,--orders", arguments.max_order,
+      "by arc length: longest period searched [forcing periods]; default 6 for exact-orbit with at most ten "
+      "coordinates, else 2",
+      {.range = {1, 64}});
+  command.option("--max-branches", arguments.branches.max_branches, "by arc length: branches in all",
+                 {.range = {1, 10000}});
+  command.option("--max-points", arguments.branches.max_points, "by arc length: points of a branch",
+                 {.range = {2, 1000000}});
+  command.option("--total-time", arguments.total_time, "by arc length: processor time of all branches [s]",
+                 {.complaint = positive_seconds});
+  command.option(
+      "--search", arguments.searches,
+      "by arc length, of exact-orbit: begin also at all orbits that `signorini orbits` finds at so "
+      "many values inside, for isolated branches",
+      {.range = {0, 100}});
   command.flag(
       "--bifurcation", arguments.bifurcation,
       "with --plot, by arc length: a bifurcation diagram, the displacement at t = 0 of every forcing period");
 }
 
 void add_attractor_options(const Command& command, SweepArguments& arguments) {
-  command
-      .option(
-          "--attractors", arguments.attractors.starts,
-          "number of initial states, rest and random ones, that are integrated in time at each value: prints "
-          "the motions reached, their period in forcing periods or that they are irregular, and the share of "
-          "the starts. With --methods exact-orbit branches begin at these motions too, and those on no "
-          "branch "
-          "are listed")
-      .range(1, 10000);
-  command.option("--jobs", arguments.attractors.jobs, "with --attractors: values looked at at the same time")
-      .range(1, 1024)
-      .shows_default();
+  command.option(
+      "--attractors", arguments.attractors.starts,
+      "number of initial states, rest and random ones, that are integrated in time at each value: prints the "
+      "motions reached, their period in forcing periods or that they are irregular, and the share of the "
+      "starts. With --methods exact-orbit branches begin at these motions too, and those on no branch are "
+      "listed",
+      {.range = {1, 10000}});
+  command.option("--jobs", arguments.attractors.jobs, "with --attractors: values looked at at the same time",
+                 {.range = {1, 1024}});
 }
 
 void add_special_point_options(const Command& command, SweepArguments& arguments) {
   command.option("--follow", arguments.follow,
-                 "with --methods exact-orbit: curves of these special points over the frequency and a "
-                 "second number: fold, period-doubling, neimark-sacker, phase-resonance, grazing or "
-                 "contact-change");
+                 "with --methods exact-orbit: curves of these special points over the frequency and a second "
+                 "number: fold, period-doubling, neimark-sacker, phase-resonance, grazing or contact-change");
   command.option("--second", arguments.second.place,
                  "with --follow: the second number, by its place in the scene file, or load-factor: that of "
                  "all that varies in the load");
@@ -82,46 +72,38 @@ void add_special_point_options(const Command& command, SweepArguments& arguments
 }  // namespace
 
 void add_sweep_options(const Command& command, SweepArguments& arguments) {
-  command.option("scene", arguments.scene, "a scene of the catalogue, or a scene file").required();
+  command.option("scene", arguments.scene, "a scene of the catalogue, or a scene file", {.required = true});
   command.option("--method", arguments.method, "method name; see `signorini list methods`");
   command.option("--methods", arguments.methods,
                  "A:B: branches of several methods, by arc length where a method has its own curve "
                  "(exact-orbit, harmonic balance, hat functions), others by steps");
   command.flag("--natural", arguments.natural, "with --methods: steps for all of them");
   add_branch_options(command, arguments);
-  command.option("--set", arguments.settings, "key=value: an option of the method; may be repeated")
-      .one_word()
-      .type_name("KEY=VALUE");
+  command.option("--set", arguments.settings, "key=value: an option of the method; may be repeated",
+                 {.type_name = "KEY=VALUE", .one_word = true});
   command.option("--from", arguments.from, "first frequency of the load [rad/s], or value of --parameter");
   command.option("--to", arguments.to, "last one, above or below");
-  command
-      .option("--at", arguments.range.at,
-              "w1,w2,...: points exactly there, on every branch; or steps to these frequencies")
-      .separated_by(',')
-      .one_word();
+  command.option("--at", arguments.range.at,
+                 "w1,w2,...: points exactly there, on every branch; or steps to these frequencies",
+                 {.one_word = true, .separated_by = ','});
   command.flag("--hz", arguments.hertz, "--from, --to and --at are in Hz");
   add_attractor_options(command, arguments);
   add_special_point_options(command, arguments);
-  command.option("--points", arguments.range.points, "number of frequencies, both ends included")
-      .range(2, 1000000)
-      .shows_default();
+  command.option("--points", arguments.range.points, "number of frequencies, both ends included",
+                 {.range = {2, 1000000}});
   command.flag("--log", arguments.range.logarithmic, "equal ratios instead of equal steps");
   command.flag("--down,--back", arguments.range.back,
                "also sweep back from --to to --from, beginning at the last result: where both differ, "
                "motions coexist");
   command.flag("--certify", arguments.limits.certified,
                "look for the orbit behind each answer: whether there is one, and whether it is stable");
-  command
-      .option("--timeout", arguments.limits.timeout,
-              "processor time of one solve, with --attractors of all starts at one value [s]")
-      .check(positive_seconds)
-      .shows_default();
-  command
-      .option("--format", arguments.format,
-              "text: where branches begin, change and end; md, csv, json: every point; jsonl: one JSON "
-              "object per branch or step; csv and jsonl as they come")
-      .one_of({"text", "md", "csv", "json", "jsonl"})
-      .shows_default();
+  command.option("--timeout", arguments.limits.timeout,
+                 "processor time of one solve, with --attractors of all starts at one value [s]",
+                 {.complaint = positive_seconds});
+  command.option("--format", arguments.format,
+                 "text: where branches begin, change and end; md, csv, json: every point; jsonl: one JSON "
+                 "object per branch or step; csv and jsonl as they come",
+                 {.one_of = {"text", "md", "csv", "json", "jsonl"}});
   add_plot_option(command, arguments.plot, "amplitude over frequency");
   add_column_option(command, arguments.column, "the picture");
   command.option("--out", arguments.out,
@@ -130,30 +112,20 @@ void add_sweep_options(const Command& command, SweepArguments& arguments) {
                "with --out: methods that the folder has whole are not computed again");
 }
 
-SweepRange interval(const SweepArguments& given) {
-  SweepArguments arguments = given;
-  if (arguments.hertz) {
-    if (arguments.parameter != kFrequency)
-      throw UsageError(fmt::format("hz (must be left out with --parameter {})", arguments.parameter));
-    for (std::optional<double>* end : {&arguments.from, &arguments.to})
-      if (*end) **end *= 2.0 * std::numbers::pi;
-    for (double& frequency : arguments.range.at) frequency *= 2.0 * std::numbers::pi;
-  }
+SweepRange interval(const SweepArguments& arguments) {
+  if (arguments.hertz && arguments.parameter != kFrequency)
+    throw UsageError(fmt::format("hz (must be left out with --parameter {})", arguments.parameter));
+  const double unit = arguments.hertz ? 2.0 * std::numbers::pi : 1.0;
   SweepRange range = arguments.range;
-  if (!range.at.empty()) {
-    const auto [least, most] = std::minmax_element(range.at.begin(), range.at.end());
-    range.from = arguments.from.value_or(*least);
-    range.to = arguments.to.value_or(*most);
-    const auto [low, high] = std::minmax(range.from, range.to);
-    for (const double value : range.at) {
-      if (!(value >= low && value <= high))
-        throw UsageError(fmt::format("at = {} (must be between --from and --to)", value));
-    }
-    return range;
-  }
-  if (!arguments.from || !arguments.to) throw UsageError("--from and --to are required without --at");
-  range.from = *arguments.from;
-  range.to = *arguments.to;
+  for (double& value : range.at) value *= unit;
+  if (range.at.empty() && !(arguments.from && arguments.to))
+    throw UsageError("--from and --to are required without --at");
+  range.from = arguments.from ? *arguments.from * unit : std::ranges::min(range.at);
+  range.to = arguments.to ? *arguments.to * unit : std::ranges::max(range.at);
+  const auto [low, high] = std::minmax(range.from, range.to);
+  for (const double value : range.at)
+    if (!(value >= low && value <= high))
+      throw UsageError(fmt::format("at = {} (must be between --from and --to)", value));
   return range;
 }
 
@@ -199,7 +171,6 @@ void complete_free_motions(SweepArguments& arguments) {
 }
 
 void complete_backbone(SweepArguments& arguments) {
-  constexpr double kSmall = 0.01;  // of the load: most motions reach no stop
   if (!arguments.backbone) return;
   if (!arguments.follow.empty() || !arguments.method.empty() || arguments.attractors.starts > 0)
     throw UsageError("backbone (must stand without --follow, --method and --attractors)");
@@ -207,7 +178,7 @@ void complete_backbone(SweepArguments& arguments) {
   if (arguments.methods.empty()) arguments.methods = exact_method().name;
   if (arguments.second.place.empty()) arguments.second.place = kLoadFactor;
   if (arguments.second.place == kLoadFactor && arguments.second.from == SecondParameter{}.from)
-    arguments.second.from = kSmall * arguments.second.to;
+    arguments.second.from = 0.01 * arguments.second.to;  // most motions reach no stop
   if (arguments.from || arguments.to) return;
   const ParameterRange band = backbone_band(find_scene(arguments.scene));
   arguments.from = band.low;

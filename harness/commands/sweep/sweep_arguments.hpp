@@ -1,6 +1,7 @@
 #pragma once
 // The options of `signorini sweep`.
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -12,7 +13,7 @@
 #include "harness/sweep/attractors.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
 #include "harness/sweep/branch_response.hpp"
-#include "harness/sweep/frequency_response.hpp"
+#include "harness/sweep/response_folder.hpp"
 
 namespace signorini {
 
@@ -68,6 +69,21 @@ std::vector<double> attractor_values(const SweepArguments& arguments);
 
 /// Every row, in the format of tables that is asked for.
 std::string table_text(const SweepArguments& arguments, const Table& table);
+
+/// The folder of --out, if there is one, with the question that it answers. \throws UsageError
+std::optional<ResponseFolder> folder_of(const SweepArguments& arguments,
+                                        const nlohmann::ordered_json& question);
+
+using UseResponse = std::function<void(MethodResponse& response)>;
+
+/// The response of a method as the folder has kept it, which is handed to `replay`; or else what `follow`
+/// makes of a blank one, which is marked as complete unless it is interrupted or fails.
+MethodResponse kept_or_followed(std::optional<ResponseFolder>& folder, const MethodChoice& method,
+                                MethodResponse blank, const UseResponse& follow, const UseResponse& replay);
+
+/// The picture that --plot asks for, if it does. \param attractors  drawn over the branches
+void draw(const SweepArguments& arguments, const std::vector<MethodResponse>& responses,
+          const std::string& scene, const std::vector<AttractorsAt>& attractors = {});
 
 /// `sweep --follow`: special points over the frequency and a second number. \return the exit code \throws
 /// UsageError

@@ -10,13 +10,9 @@
 #include "harness/commands/sweep/sweep_arguments.hpp"
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/plan/deadline.hpp"
-#include "harness/plots/plot_file.hpp"
-#include "harness/plots/response_plot.hpp"
 #include "harness/progress.hpp"
 #include "harness/sweep/bifurcation_response.hpp"
 #include "harness/sweep/isolated_branches.hpp"
-#include "harness/sweep/response_folder.hpp"
 #include "harness/text/json.hpp"
 #include "problems/scene/scene_file.hpp"
 
@@ -29,45 +25,39 @@ bool is_cut(const Branch& curve) {
   return curve.ended == "the time is up" || curve.ended.starts_with("limit of ");
 }
 
-// The folder of --out, if there is one, with the question of the second number. \throws UsageError
-std::optional<ResponseFolder> folder_of_curves(const SweepArguments& arguments, const Scene& scene) {
-  if (!arguments.out) return std::nullopt;
+// What the curves depend on but methods and code.
+nlohmann::ordered_json question_of_curves(const SweepArguments& arguments, const Scene& scene) {
   nlohmann::ordered_json question = question_of(arguments, scene);
   question["follow"] = arguments.follow;
   question["second"] = arguments.second.place;
   question["second-from"] = arguments.second.from;
   question["second-to"] = arguments.second.to;
-  return std::optional<ResponseFolder>(std::in_place, *arguments.out, question, arguments.words,
-                                       arguments.resume);
+  return question;
 }
 
 // What the folder has kept of the curves, or what the method makes of them now.
-MethodResponse kept_or_followed(const SweepArguments& arguments, const Scene& scene) {
+MethodResponse curves_of(const SweepArguments& arguments, const Scene& scene) {
   const MethodChoice method{&find_method(arguments.methods), parse_settings(arguments.settings)};
   (void)has_curve(method);  // refuses options that are none
   const SweepRange& range = arguments.range;
-  MethodResponse response{
-      .method = method.label(),
-      .asked = ParameterRange{.low = std::min(range.from, range.to), .high = std::max(range.from, range.to)}};
-  std::optional<ResponseFolder> folder = folder_of_curves(arguments, scene);
-  const std::string key = response_key(method);
-  if (auto kept = folder ? folder->complete(response.method, key) : std::nullopt) {
-    response.diagram = std::move(kept->diagram);
-    return response;
-  }
-  CurveLimits limits = arguments.branches;
-  limits.max_order = arguments.max_order.value_or(limits.max_order);
-  limits.deadline = Deadline::after(arguments.total_time);
-  if (folder) limits.take = [&](const Branch& curve) { folder->add(response, curve); };
-  const Waiting waiting("following curves of " + response.method);
-  IsolatedBranches found = isolated_branches(response.method, limits, [&](const CurveLimits& asked) {
-    return bifurcation_response(find_scene(arguments.scene), range.from, range.to, arguments.second,
-                                arguments.follow, method, asked);
-  });
-  response.diagram = std::move(found.diagram);
-  response.failure = std::move(found.failure);
-  if (folder && !interrupted() && response.failure.empty()) folder->finish(response, key);
-  return response;
+  std::optional<ResponseFolder> folder = folder_of(arguments, question_of_curves(arguments, scene));
+  const auto follow = [&](MethodResponse& response) {
+    CurveLimits limits = arguments.branches;
+    limits.max_order = arguments.max_order.value_or(limits.max_order);
+    limits.deadline = Deadline::after(arguments.total_time);
+    if (folder) limits.take = [&](const Branch& curve) { folder->add(response, curve); };
+    const Waiting waiting("following curves of " + response.method);
+    IsolatedBranches found = isolated_branches(response.method, limits, [&](const CurveLimits& asked) {
+      return bifurcation_response(find_scene(arguments.scene), range.from, range.to, arguments.second,
+                                  arguments.follow, method, asked);
+    });
+    response.diagram = std::move(found.diagram);
+    response.failure = std::move(found.failure);
+  };
+  const auto [low, high] = std::minmax(range.from, range.to);
+  return kept_or_followed(folder, method,
+                          {.method = method.label(), .asked = ParameterRange{.low = low, .high = high}},
+                          follow, [](const MethodResponse& /*kept*/) {});
 }
 
 void print(const SweepArguments& arguments, const BranchDiagram& curves) {
@@ -91,12 +81,10 @@ int sweep_special_points(const SweepArguments& arguments) {
     throw UsageError("--at and --bifurcation (must be left out with --follow)");
   const Scene scene = read_scene(find_scene(arguments.scene));
   watch_interrupts();
-  const MethodResponse response = kept_or_followed(arguments, scene);
+  const MethodResponse response = curves_of(arguments, scene);
   const BranchDiagram& curves = response.diagram;
   print(arguments, curves);
-  if (!arguments.plot.empty())
-    write_plot(arguments.plot,
-               response_plot(scene.problem.name, {response}, ResponseOrdinate::amplitude, arguments.column));
+  draw(arguments, {response}, scene.problem.name);
   if (interrupted()) return kInterrupted;
   if (curves.branches.empty() || !response.failure.empty()) return kUnexpectedFailure;
   const auto cut = std::ranges::count_if(curves.branches, is_cut);

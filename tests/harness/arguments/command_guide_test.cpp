@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "harness/arguments/argument_parser.hpp"
+#include "harness/arguments/arguments.hpp"
 #include "tests/harness/program.hpp"
 
 namespace signorini::command_guide_test {
