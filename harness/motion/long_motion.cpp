@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <exception>
@@ -62,6 +61,26 @@ std::vector<double> exponents_of(const Eigen::MatrixXd& monodromy, double period
   return all;
 }
 
+/// The largest exponents of two turns of one period; what they differ by is the error of either.
+std::vector<Estimate> exponents_of(const FlowRecord (&turns)[2], double period, std::size_t most) {
+  const std::vector<double> one = exponents_of(turns[0].derivative, period),
+                            other = exponents_of(turns[1].derivative, period);
+  std::vector<Estimate> all;
+  for (std::size_t i = 0; i < std::min(one.size(), most); ++i) {
+    const double difference = std::abs(one[i] - other[i]);
+    all.push_back({.value = one[i], .error = std::isfinite(difference) ? difference : 0.0});
+  }
+  return all;
+}
+
+/// The displacement and the velocity of each contact at an instant.
+std::vector<double> section_of(const ContactDynamics& dynamics, const FlowState& at) {
+  const MotionDerivatives motion = dynamics.derivatives(dynamics.mode(at.closed), at.time, at.state, 3);
+  std::vector<double> row;
+  for (const auto& x : motion.x.rowwise()) row.insert(row.end(), {x[0], x[1]});
+  return row;
+}
+
 /// Whether nothing moves at an instant, nor any contact over the period.
 bool is_still(const PeriodMap& map, const FlowState& at, std::span<const StopStatistics> stops,
               double length) {
@@ -103,17 +122,13 @@ class LongMotionFollower {
   /// The stable periodic motion that is reached, if one is. Parts of the transient are each twice as long as
   /// the one before.
   std::optional<FixedPoint> settle() {
-    constexpr int kFirst = 16;
-    constexpr double kShare = 0.4;  // of the time, at most
-    const double until = (1.0 - kShare) * deadline_.left();
-    const PeriodicMotionOptions options{
+    const double until = 0.6 * deadline_.left();  // what is left for measuring, at least
+    PeriodicMotionOptions options{
         .tolerance = kTolerance, .integrator = Integrator::modal, .max_order = options_.max_order};
-    const std::function<bool()> expired = [this] { return deadline_.passed(); };
-    int part = kFirst;
+    int part = 16;
     for (int marched = 0; marched < options_.transient; marched += part, part *= 2) {
-      PeriodicMotionOptions limited = options;
-      limited.max_iterations = std::min(part, options_.transient - marched);
-      FixedPoint found = march(map_, state_, limited, expired);
+      options.max_iterations = std::min(part, options_.transient - marched);
+      FixedPoint found = march(map_, state_, options, [this] { return deadline_.passed(); });
       state_ = found.start;
       if (found.converged) {
         result_.settled_after = map_.periods();
@@ -147,7 +162,7 @@ class LongMotionFollower {
     FlowState state = orbit.start;
     for (int n = 0; n < orbit.order; ++n) {
       FlowRecord unused;
-      note_section(state);
+      result_.section.push_back(section_of(flow_.dynamics(), state));
       map_.apply(state, 1, unused);
     }
     state = orbit.start;
@@ -162,12 +177,7 @@ class LongMotionFollower {
     if (turns[0].order_matters) {
       result_.reason = "no Lyapunov exponents: simultaneous impacts feel each other";
     } else {
-      const std::vector<double> one = exponents_of(turns[0].derivative, period),
-                                other = exponents_of(turns[1].derivative, period);
-      for (std::size_t i = 0; i < std::min(one.size(), static_cast<std::size_t>(options_.exponents)); ++i) {
-        const double difference = std::abs(one[i] - other[i]);
-        result_.lyapunov.push_back({.value = one[i], .error = std::isfinite(difference) ? difference : 0.0});
-      }
+      result_.lyapunov = exponents_of(turns, period, static_cast<std::size_t>(options_.exponents));
     }
     result_.trajectory = std::make_shared<EventTrajectory>(period, orbit.start, std::move(turns[0].nodes),
                                                            std::move(turns[0].events));
@@ -205,7 +215,7 @@ class LongMotionFollower {
         state_ = before;
         break;
       }
-      note_section(before);
+      result_.section.push_back(section_of(dynamics, before));
       deviations.take(record.derivative);
       sums.take(record, period);
       order_matters = order_matters || record.order_matters;
@@ -251,18 +261,6 @@ class LongMotionFollower {
     }
   }
 
-  /// The displacement and the velocity of each contact at the beginning of a period.
-  void note_section(const FlowState& at) {
-    const ContactDynamics& dynamics = flow_.dynamics();
-    const MotionDerivatives motion = dynamics.derivatives(dynamics.mode(at.closed), at.time, at.state, 3);
-    std::vector<double> row;
-    for (Eigen::Index j = 0; j < motion.x.rows(); ++j) {
-      row.push_back(motion.x(j, 0));
-      row.push_back(motion.x(j, 1));
-    }
-    result_.section.push_back(std::move(row));
-  }
-
   EventFlow flow_;
   PeriodMap map_;
   FlowState state_;
@@ -273,12 +271,6 @@ class LongMotionFollower {
 };
 
 }  // namespace
-
-std::string_view name_of(LongRun verdict) {
-  constexpr std::array<std::string_view, 6> kNames{"periodic", "quasi-periodic", "irregular",
-                                                   "at rest",  "unbounded",      "undecided"};
-  return kNames[static_cast<std::size_t>(verdict)];
-}
 
 LongMotion follow_long_motion(const ContactDynamics& dynamics, const FlowState& start,
                               const LongMotionOptions& options, const Deadline& deadline) {

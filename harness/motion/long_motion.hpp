@@ -1,6 +1,7 @@
 #pragma once
 // What a machine does in the long run from a given state.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "harness/statistics.hpp"
 #include "methods/deadline.hpp"
 #include "methods/flow/flow.hpp"
+#include "methods/options.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {
@@ -24,8 +26,16 @@ enum class LongRun {
   undecided        ///< followed for too short a time
 };
 
-/// The name, as JSON has it: "periodic", "quasi-periodic", "irregular", "at rest", "unbounded", "undecided".
-std::string_view name_of(LongRun verdict);
+/// The names, as JSON has them.
+template <>
+struct EnumNames<LongRun> {
+  /// In order.
+  static constexpr std::array<std::string_view, 6> values{"periodic", "quasi-periodic", "irregular",
+                                                          "at rest",  "unbounded",      "undecided"};
+};
+inline std::string_view name_of(LongRun verdict) {  ///< by EnumNames
+  return EnumNames<LongRun>::values[static_cast<std::size_t>(verdict)];
+}
 
 /// How long a motion is followed.
 struct LongMotionOptions {

@@ -13,10 +13,7 @@ LyapunovSum::LyapunovSum(Eigen::Index size, Eigen::Index count)
       logs_(static_cast<std::size_t>(frame_.cols())) {}
 
 void LyapunovSum::take(const Eigen::MatrixXd& image) {
-  if (!image.allFinite()) {
-    ++left_out_;
-    return;
-  }
+  if (!image.allFinite()) return;
   const QrFactors factors = householder_qr(image);
   for (Eigen::Index i = 0; i < frame_.cols(); ++i)
     logs_[static_cast<std::size_t>(i)].push_back(std::log(std::abs(factors.R(i, i))));

@@ -24,8 +24,6 @@ class LyapunovSum {
   void take(const Eigen::MatrixXd& image);
   /// Steps taken.
   [[nodiscard]] std::size_t steps() const { return logs_.front().size(); }
-  /// Steps left out.
-  [[nodiscard]] int left_out() const { return left_out_; }
   /// The exponents per step, largest first, by batch means over all steps after the first tenth, in which the
   /// frame turns into the directions of growth; minus infinity where a step takes a direction to zero.
   [[nodiscard]] std::vector<Estimate> exponents() const;
@@ -33,7 +31,6 @@ class LyapunovSum {
  private:
   Eigen::MatrixXd frame_;
   std::vector<std::vector<double>> logs_;  // exponent by exponent
-  int left_out_ = 0;
 };
 
 }  // namespace signorini

@@ -38,10 +38,9 @@ double taylor(std::span<const double> derivatives, double t) {
 
 /// The value where the slope vanishes within `reach` of an instant with these derivatives, if it does.
 std::optional<double> turning_value(const Derivatives& at, double reach) {
-  constexpr int kSteps = 6;
   const std::span all(at);
   double t = 0.0;
-  for (int i = 0; i < kSteps; ++i) {
+  for (int step = 0; step < 6; ++step) {  // of Newton's method
     t -= taylor(all.subspan(1), t) / taylor(all.subspan(2), t);
     if (!(std::abs(t) <= reach)) return std::nullopt;
   }
@@ -124,13 +123,12 @@ void StopSums::take_intervals(const FlowRecord& record, int contact, double dura
 }
 
 void StopSums::take_impulses(const FlowRecord& record, int contact, double duration, Stop& stop) {
-  const auto earlier = [](const FlowNode& node, double time) { return node.time < time; };
   for (const ContactEvent& event : record.events) {
     if (event.contact != contact || !(event.impulse < 0.0)) continue;
     stop.impulses.push_back(-event.impulse);
     stop.impulse.back() -= event.impulse / duration;
     // An impulse J works J (v_before + v_after) / 2.
-    const auto before = std::lower_bound(record.nodes.begin(), record.nodes.end(), event.time, earlier);
+    const auto before = std::ranges::lower_bound(record.nodes, event.time, {}, &FlowNode::time);
     auto after = before;
     while (after + 1 < record.nodes.end() && (after + 1)->time == before->time) ++after;
     if (before == record.nodes.end()) continue;

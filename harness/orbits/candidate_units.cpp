@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -13,7 +12,6 @@
 #include "harness/judge/measures/motion.hpp"
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/plan/plan.hpp"
-#include "harness/records/record.hpp"
 #include "methods/flow/flow.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 #include "methods/periodic_motion/periodic_motion.hpp"
@@ -24,9 +22,17 @@ namespace signorini {
 
 namespace {
 
-/// A single solve gives up after this long: of a method, on a coarse grid [s].
-constexpr double kMethodSeconds = 10.0;
-constexpr double kGridSeconds = 2.0;
+/// A single solve gives up after this long: of a method; on a coarse grid, or from a random state [s].
+constexpr double kMethodSeconds = 10.0, kShortSeconds = 2.0;
+
+/// Takes over the orbit of a search, or the reason why it found none.
+void take_search(const OrbitSearch& search, OrbitCandidate& candidate) {
+  if (search.orbit.certified()) {
+    candidate.orbit = search.orbit.trajectory->orbit();
+  } else {
+    candidate.reason = describe(search.orbit.outcome);
+  }
+}
 
 /// The orbit behind an answer of a method, at the answer's own order.
 void polish_answer(const Problem& problem, const Trajectory& answer, Deadline deadline,
@@ -56,7 +62,8 @@ void take_answer(const Problem& problem, const Solution& solution, Deadline dead
   polish_answer(problem, *solution.trajectory, deadline, candidate);
 }
 
-/// A method with one set of options; none if it does not apply or represents another law.
+/// A method with one set of options; none if it does not apply or represents another law. A solve ends after
+/// ten seconds.
 std::optional<CandidateUnit> cold_start(const Problem& problem, const MethodChoice& choice, int order) {
   const std::unique_ptr<Method> probe = choice.make();
   const Problem at = with_subharmonic(problem, order);
@@ -90,7 +97,7 @@ std::vector<MethodChoice> cold_choices(const MethodEntry& entry) {
   for (Settings& one : settings) {
     std::vector<OptionValue> values;
     for (const OptionEcho& option : entry.make(one)->options()) values.push_back(option.value);
-    if (std::find(known.begin(), known.end(), values) != known.end()) continue;
+    if (std::ranges::count(known, values) > 0) continue;
     known.push_back(std::move(values));
     choices.push_back({&entry, std::move(one)});
   }
@@ -134,20 +141,6 @@ CandidateUnit from_rest(const Problem& problem) {
           }};
 }
 
-/// Every method of the catalogue that supports the scene and represents its law, from a cold start, with its
-/// default options, each step of its ladder and each of its further starts (MethodEntry::starts); settings
-/// that come to the same options once. A solve ends after ten seconds.
-std::vector<CandidateUnit> cold_starts(const Problem& problem, int order,
-                                       std::span<const MethodEntry> catalogue) {
-  std::vector<CandidateUnit> units;
-  for (const MethodEntry& entry : catalogue) {
-    for (const MethodChoice& choice : cold_choices(entry)) {
-      if (auto unit = cold_start(problem, choice, order)) units.push_back(std::move(*unit));
-    }
-  }
-  return units;
-}
-
 /// Hat functions on two coarse grids along waved covering vectors (HatSettings::cover_amplitude), which lead
 /// a pivoting method to different solutions. A solve ends after two seconds.
 CandidateUnit coarse_grids(const Problem& problem, int order) {
@@ -157,15 +150,11 @@ CandidateUnit coarse_grids(const Problem& problem, int order) {
               for (int turn = 0; turn < 6; ++turn) {
                 if (deadline.passed()) return;
                 deliver(grid_candidate(at, per_period, turn,
-                                       Deadline::first_of(deadline, Deadline::after(kGridSeconds))));
+                                       Deadline::first_of(deadline, Deadline::after(kShortSeconds))));
               }
             }
           }};
 }
-
-constexpr int kLongestTransient = 20;  // [forcing periods]
-/// A single search gives up after this long [s].
-constexpr double kStateSeconds = 2.0;
 
 /// Uniform in [0, 1), the same on every platform.
 double uniform(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11U) * 0x1p-53; }
@@ -174,7 +163,7 @@ double uniform(std::mt19937_64& generator) { return static_cast<double>(generato
 FlowState settled_state(OrbitModel& model, std::mt19937_64& generator, const SearchOptions& options) {
   EventFlow flow(model.dynamics, 1e-9, options.expired, Integrator::modal);
   FlowState start = random_state(flow, generator);
-  const auto transient = static_cast<int>((kLongestTransient + 1) * uniform(generator));
+  const auto transient = static_cast<int>(21.0 * uniform(generator));  // [forcing periods]
   if (transient > 0) {
     FlowRecord record;
     const double time = start.time;
@@ -190,7 +179,7 @@ OrbitCandidate search_from_state(const Problem& at, int number, unsigned seed, D
                            .order = at.subharmonic};
   std::seed_seq seeds{seed, static_cast<unsigned>(at.subharmonic), static_cast<unsigned>(number)};
   std::mt19937_64 generator(seeds);
-  const SearchOptions options = search_until(Deadline::first_of(deadline, Deadline::after(kStateSeconds)));
+  const SearchOptions options = search_until(Deadline::first_of(deadline, Deadline::after(kShortSeconds)));
   OrbitFinder finder(at);
   try {
     const FlowState start = settled_state(*finder.model(), generator, options);
@@ -219,6 +208,13 @@ CandidateUnit random_states(const Problem& problem, int order, int first, int la
 
 }  // namespace
 
+SearchOptions search_until(Deadline deadline) {
+  SearchOptions options;
+  options.free_families = FreeFamilies::last;
+  options.expired = [deadline] { return deadline.passed(); };
+  return options;
+}
+
 FlowState random_state(const EventFlow& flow, std::mt19937_64& generator) {
   const ContactDynamics& dynamics = flow.dynamics();
   const double size = std::pow(10.0, 2.0 * uniform(generator) - 1.0);
@@ -234,10 +230,7 @@ FlowState random_state(const EventFlow& flow, unsigned seed, int number) {
   return random_state(flow, generator);
 }
 
-EventFlow placing_flow(const ContactDynamics& dynamics) {
-  constexpr double kPlacing = 1e-10;
-  return {dynamics, kPlacing, {}, Integrator::modal};
-}
+EventFlow placing_flow(const ContactDynamics& dynamics) { return {dynamics, 1e-10, {}, Integrator::modal}; }
 
 std::vector<CandidateUnit> candidate_units(const Problem& problem, int order, int starts, unsigned seed,
                                            std::span<const MethodEntry> catalogue) {
@@ -245,7 +238,9 @@ std::vector<CandidateUnit> candidate_units(const Problem& problem, int order, in
   constexpr int kStatesPerUnit = 8;
   std::vector<CandidateUnit> units;
   if (order == 1) units.push_back(from_rest(problem));
-  for (CandidateUnit& unit : cold_starts(problem, order, catalogue)) units.push_back(std::move(unit));
+  for (const MethodEntry& entry : catalogue)
+    for (const MethodChoice& choice : cold_choices(entry))
+      if (auto unit = cold_start(problem, choice, order)) units.push_back(std::move(*unit));
   units.push_back(coarse_grids(problem, order));
   for (int first = 0; first < starts; first += kStatesPerUnit)
     units.push_back(random_states(problem, order, first, std::min(starts, first + kStatesPerUnit), seed));

@@ -1,7 +1,6 @@
 #include "harness/orbits/orbit_candidate.hpp"
 
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
@@ -44,21 +43,6 @@ void visit_fields(Either<OrbitCandidate> auto& candidate, auto&& field) {
   field(required("near"), candidate.near);
   field(required("reason"), candidate.reason);
   field(Field{"orbit"}, candidate.orbit);
-}
-
-void take_search(const OrbitSearch& search, OrbitCandidate& candidate) {
-  if (search.orbit.certified()) {
-    candidate.orbit = search.orbit.trajectory->orbit();
-  } else {
-    candidate.reason = describe(search.orbit.outcome);
-  }
-}
-
-SearchOptions search_until(Deadline deadline) {
-  SearchOptions options;
-  options.free_families = FreeFamilies::last;
-  options.expired = [deadline] { return deadline.passed(); };
-  return options;
 }
 
 nlohmann::ordered_json to_json(const OrbitCandidate& candidate) { return write_fields(candidate); }

@@ -42,9 +42,6 @@ struct EnumNames<OrbitCandidate::Origin> {
   static constexpr std::array<std::string_view, 4> values{"rest", "method", "grid", "state"};
 };
 
-/// Takes over the orbit of a search, or the reason why it found none.
-void take_search(const OrbitSearch& search, OrbitCandidate& candidate);
-
 /// Options of a search that ends at the deadline.
 SearchOptions search_until(Deadline deadline);
 

@@ -43,9 +43,7 @@ std::vector<OrbitEvent> strong_events(const FoundOrbit& orbit, double shift) {
     event.time = std::fmod(event.time + shift, orbit.period);
     events.push_back(event);
   }
-  std::stable_sort(events.begin(), events.end(), [](const OrbitEvent& a, const OrbitEvent& b) {
-    return std::pair(a.time, a.contact) < std::pair(b.time, b.contact);
-  });
+  std::ranges::stable_sort(events, {}, [](const OrbitEvent& e) { return std::pair(e.time, e.contact); });
   return events;
 }
 
@@ -67,12 +65,9 @@ Gap event_gap(const FoundOrbit& kept, const FoundOrbit& now, double shift) {
   const double largest = largest_impulse(before);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const OrbitEvent& event = before[i];
-    const auto nearest = std::min_element(after.begin(), after.end(), [&](const auto& a, const auto& b) {
-      const auto rank = [&](const OrbitEvent& e) {
-        return std::pair(e.kind != event.kind || e.contact != event.contact,
-                         apart_on_circle(e.time, event.time, kept.period));
-      };
-      return rank(a) < rank(b);
+    const auto nearest = std::ranges::min_element(after, {}, [&](const OrbitEvent& e) {
+      return std::pair(e.kind != event.kind || e.contact != event.contact,
+                       apart_on_circle(e.time, event.time, kept.period));
     });
     const std::string name =
         fmt::format("event {} ({} at contact {})", i + 1, enum_name(event.kind), event.contact);
@@ -110,11 +105,9 @@ Gap gap_between(const FoundOrbit& kept, const FoundOrbit& now) {
 /// of them zero, which are known to the root of the round-off only.
 std::string multiplier_difference(const FoundOrbit& kept, const FoundOrbit& now) {
   constexpr double kRoot = 1e-6;
-  if (!kept.certified.floquet || !now.certified.floquet) {
-    return kept.certified.floquet.has_value() == now.certified.floquet.has_value()
-               ? ""
-               : "multipliers are there in one of the two only";
-  }
+  if (kept.certified.floquet.has_value() != now.certified.floquet.has_value())
+    return "multipliers are there in one of the two only";
+  if (!kept.certified.floquet) return {};
   auto left = *now.certified.floquet;
   if (left.size() != kept.certified.floquet->size()) return "another number of multipliers";
   const double tolerance = allowed(kept, now) + kRoot;
@@ -123,8 +116,7 @@ std::string multiplier_difference(const FoundOrbit& kept, const FoundOrbit& now)
     const auto distance = [&](const auto& other) {
       return std::abs(std::complex<double>(other.first, other.second) - one);
     };
-    const auto nearest = std::min_element(
-        left.begin(), left.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    const auto nearest = std::ranges::min_element(left, {}, distance);
     if (distance(*nearest) > tolerance * std::max(1.0, std::abs(one))) {
       return fmt::format("multiplier {:.9g}{:+.9g}i became {:.9g}{:+.9g}i", re, im, nearest->first,
                          nearest->second);
@@ -167,7 +159,7 @@ std::vector<FoundOrbit>::iterator counterpart(const FoundOrbit& kept, std::vecto
     best = it;
   }
   if (best != found.end()) return best;
-  return std::find_if(found.begin(), found.end(), [&](const FoundOrbit& orbit) {
+  return std::ranges::find_if(found, [&](const FoundOrbit& orbit) {
     return orbit.order == kept.order && orbit.fingerprint == kept.fingerprint;
   });
 }
@@ -186,9 +178,9 @@ OrbitDifferences compare_orbits(const OrbitFile& kept, const OrbitFile& now) {
         kept.scene));
     return result;
   }
-  if (JsonForm<RepresentedLaw>::write(kept.law) != JsonForm<RepresentedLaw>::write(now.law)) {
-    result.differences.push_back(fmt::format("{}: the law became {}", kept.scene,
-                                             json_text(JsonForm<RepresentedLaw>::write(now.law))));
+  const auto law = JsonForm<RepresentedLaw>::write(now.law);
+  if (JsonForm<RepresentedLaw>::write(kept.law) != law) {
+    result.differences.push_back(fmt::format("{}: the law became {}", kept.scene, json_text(law)));
     return result;
   }
   std::vector<FoundOrbit> found = now.orbits;

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "harness/failure.hpp"
+#include "harness/files.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/text/json.hpp"
@@ -13,6 +16,7 @@ namespace signorini {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kOrbitSchema = 1;
@@ -21,6 +25,10 @@ constexpr int kOrbitSchema = 1;
 std::string without_code(const std::string& message) {
   const std::size_t end = message.find("] ");
   return end == std::string::npos ? message : message.substr(end + 2);
+}
+
+fs::path file_of(const Scene& scene, const fs::path& folder) {
+  return folder / (scene.problem.name + ".json");
 }
 
 }  // namespace
@@ -101,6 +109,41 @@ OrbitFile parse_orbit_file(const std::string& text, const std::string& name) {
   } catch (const BadRecord& error) {
     throw UsageError(fmt::format("{}: {}", name, error.what()));
   }
+}
+
+fs::path references_folder() {
+  const fs::path references = fs::path("results") / "references";
+  for (fs::path folder = fs::current_path();; folder = folder.parent_path()) {
+    if (fs::is_directory(folder / references)) return folder / references;
+    if (folder == folder.parent_path()) return references;
+  }
+}
+
+std::string kept_reference_digest(const Scene& scene, const fs::path& folder) {
+  const fs::path path = file_of(scene, folder);
+  return fs::is_regular_file(path) ? sha256_of_file(path) : std::string();
+}
+
+std::optional<Reference> kept_reference(const Scene& scene, const fs::path& folder,
+                                        const OrbitPolisher& polish, Deadline deadline) {
+  const fs::path path = file_of(scene, folder);
+  if (!polish || !fs::is_regular_file(path)) return std::nullopt;
+  std::optional<OrbitFile> file;
+  try {
+    file = parse_orbit_file(read_file(path), path.string());
+  } catch (const std::exception&) {  // it is not ours to judge here: `signorini verify` does
+    return std::nullopt;
+  }
+  if (file->scene_sha256 != scene.sha256) return std::nullopt;
+  const auto kept = std::ranges::find(file->orbits, true, &FoundOrbit::from_rest);
+  if (kept == file->orbits.end()) return std::nullopt;
+  const CertifiedOrbit& known = kept->certified;
+  const std::array confirmed{Certificate{
+      .error_bar = known.error_bar, .events = known.events, .return_distance = known.return_distance}};
+  std::optional<FoundOrbit> orbit = certify_again(scene.problem, *kept, deadline, polish, confirmed);
+  const bool same = orbit && orbit->order == kept->order && orbit->fingerprint == kept->fingerprint;
+  if (!same || orbit->certified.error_bar > kReferenceErrorBar) return std::nullopt;
+  return as_reference(scene.problem, std::move(orbit->certified));
 }
 
 }  // namespace signorini

@@ -1,7 +1,5 @@
 #include "harness/orbits/orbit_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -13,7 +11,6 @@
 #include "harness/judge/exact_certificate.hpp"
 #include "harness/judge/orbit.hpp"
 #include "harness/orbits/listed_motion.hpp"
-#include "harness/orbits/orbit_candidate.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
 #include "harness/text/json.hpp"
@@ -27,9 +24,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSearchProcesses = 2;
-constexpr int kMemoryMb = 2048;
-/// Longer than any single search may take; only what hangs is ended by it [s].
-constexpr double kLineSeconds = 15.0;
 /// Instants per forcing period on which orbits are compared; exact orbits need no more.
 constexpr int kCompared = 512;
 
@@ -59,7 +53,7 @@ Motion without_place(Motion motion) {
 class OrbitCollection {
  public:
   OrbitCollection(const Problem& problem, const OrbitPolisher& polish, Deadline deadline)
-      : problem_(problem), polish_(polish), deadline_(deadline) {}
+      : problem_(problem), polish_(polish ? polish : exact_orbits()), deadline_(deadline) {}
 
   void add(const OrbitCandidate& candidate) {
     ++result.searches;
@@ -73,9 +67,8 @@ class OrbitCollection {
       return;
     }
     const Motion motion = compared(*search.orbit.trajectory);
-    for (std::size_t i = 0; i < motions_.size(); ++i) {
+    for (std::size_t i = 0; i < motions_.size(); ++i)
       if (same_orbit(motion, motions_[i])) return credit(result.orbits[i], candidate);
-    }
     for (const auto& [refused, reason] : refused_) {
       if (!same_orbit(motion, refused)) continue;
       ++result.failures[reason];
@@ -91,11 +84,7 @@ class OrbitCollection {
       ++result.failures[checked.reason];
       return;
     }
-    FoundOrbit found = describe_orbit(problem_, problem_.subharmonic, std::move(checked));
-    found.from_rest = true;
-    found.starts = 1;
-    motions_.push_back(compared(*found.certified.motion));
-    result.orbits.push_back(std::move(found));
+    keep(problem_.subharmonic, std::move(checked), {.origin = OrbitCandidate::Origin::rest});
   }
 
   SceneOrbits result;
@@ -131,6 +120,10 @@ class OrbitCollection {
       refused_.emplace_back(motion, checked.reason);
       return;
     }
+    keep(order, std::move(checked), candidate);
+  }
+
+  void keep(int order, CertifiedOrbit checked, const OrbitCandidate& candidate) {
     FoundOrbit found = describe_orbit(problem_, order, std::move(checked));
     motions_.push_back(compared(*found.certified.motion));
     credit(found, candidate);
@@ -141,12 +134,12 @@ class OrbitCollection {
     ++orbit.starts;
     if (candidate.origin == OrbitCandidate::Origin::rest) orbit.from_rest = true;
     if (candidate.origin == OrbitCandidate::Origin::method && candidate.near &&
-        std::find(orbit.cold.begin(), orbit.cold.end(), candidate.source) == orbit.cold.end())
+        std::ranges::count(orbit.cold, candidate.source) == 0)
       orbit.cold.push_back(candidate.source);
   }
 
   const Problem& problem_;
-  const OrbitPolisher& polish_;
+  OrbitPolisher polish_;
   Deadline deadline_;
   std::map<int, std::unique_ptr<OrbitFinder>> finders_;
   std::vector<Motion> motions_;  // of result.orbits
@@ -163,8 +156,9 @@ void run_units(const std::vector<CandidateUnit>& units, Deadline deadline, Orbit
       unit.work([&send](const OrbitCandidate& candidate) { send(json_line(to_json(candidate))); }, own);
     });
   }
-  const std::vector<ChildEnd> ends = run_isolated_together(
-      work, {.stage_seconds = {kLineSeconds}, .memory_mb = kMemoryMb}, kSearchProcesses);
+  // Longer than any single search may take: only what hangs is ended by it.
+  const std::vector<ChildEnd> ends =
+      run_isolated_together(work, {.stage_seconds = {15.0}, .memory_mb = 2048}, kSearchProcesses);
   for (std::size_t i = 0; i < units.size(); ++i) {
     for (const std::string& line : ends[i].lines) collection.add(orbit_candidate_from_json(parse_json(line)));
     if (ends[i].kind != ChildEnd::Kind::finished && ends[i].kind != ChildEnd::Kind::interrupted)
@@ -187,8 +181,7 @@ void sort_orbits(std::vector<FoundOrbit>& orbits) {
   const auto rank = [](const FoundOrbit& orbit) {
     return std::tuple(orbit.order, !orbit.certified.stable.value_or(false), -orbit.amplitude);
   };
-  std::stable_sort(orbits.begin(), orbits.end(),
-                   [&](const FoundOrbit& a, const FoundOrbit& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(orbits, {}, rank);
 }
 
 int default_subharmonics(const Problem& problem) {
@@ -197,14 +190,11 @@ int default_subharmonics(const Problem& problem) {
 
 int FoundOrbit::impacts() const {
   return static_cast<int>(
-      std::count_if(certified.events.begin(), certified.events.end(),
-                    [](const OrbitEvent& event) { return event.kind == ContactEvent::Kind::impact; }));
+      std::ranges::count(certified.events, ContactEvent::Kind::impact, &OrbitEvent::kind));
 }
 
 int FoundOrbit::contact_phases() const {
-  return static_cast<int>(
-      std::count_if(certified.events.begin(), certified.events.end(),
-                    [](const OrbitEvent& event) { return event.kind == ContactEvent::Kind::open; }));
+  return static_cast<int>(std::ranges::count(certified.events, ContactEvent::Kind::open, &OrbitEvent::kind));
 }
 
 std::optional<double> FoundOrbit::largest_multiplier() const {
@@ -215,10 +205,9 @@ std::optional<double> FoundOrbit::largest_multiplier() const {
 }
 
 SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
-                            const OrbitPolisher& polish, const SearchProgress& progress) {
+                            const OrbitPolisher& polish) {
   const Deadline deadline = Deadline::after(options.timeout, kSearchProcesses);
-  const OrbitPolisher certify = polish ? polish : exact_orbits();
-  OrbitCollection collection(problem, certify, deadline);
+  OrbitCollection collection(problem, polish, deadline);
   if (prefers_reduction(problem)) collection.add_large(reduced_orbits()(problem, deadline));
   if (problem.size() > kMostInTime) {
     if (collection.result.orbits.empty()) collection.result.failures[flow_obstacle(problem)] = 1;
@@ -226,7 +215,6 @@ SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& op
   }
   for (int order = 1; order <= options.subharmonics; ++order) {
     if (interrupted() || deadline.passed()) break;
-    if (progress) progress(order);
     run_units(candidate_units(problem, order, options.starts, options.seed), deadline, collection);
   }
   collection.result.interrupted = interrupted();

@@ -1,7 +1,6 @@
 #pragma once
 // All certified orbits of a scene under its own law.
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -52,9 +51,6 @@ struct SceneOrbits {
   bool interrupted = false;  ///< SIGINT did
 };
 
-/// Called before the starts of an order are searched from.
-using SearchProgress = std::function<void(int order)>;
-
 /// Searches order by order: every start of `candidate_units` in a process of its own, two at a time; each
 /// admissible orbit found is compared with those known (`same_orbit`: shifts by forcing periods and
 /// repetitions at multiples of an order are the same, and the members of a family in which free parts may be
@@ -65,7 +61,7 @@ using SearchProgress = std::function<void(int order)>;
 /// Deterministic for given options, scene and program as long as no time limit strikes (10 s for a method's
 /// solve, 2 s for a random state, that of the options for all).
 SceneOrbits find_all_orbits(const Problem& problem, const OrbitSearchOptions& options,
-                            const OrbitPolisher& polish = {}, const SearchProgress& progress = {});
+                            const OrbitPolisher& polish = {});
 
 /// An orbit of least period `order` forcing periods, with what its motion tells.
 /// \param checked  with a motion
