@@ -16,13 +16,36 @@
 #include "harness/plan/deadline.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/records/record_json.hpp"
+#include "harness/sweep/frequency_response.hpp"
 #include "harness/text/json.hpp"
 
 namespace signorini {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
+
+void visit_fields(Either<Attractor> auto& one, auto&& field) {
+  field(required("verdict"), one.verdict);
+  field(required("order"), one.order);
+  field(required("starts"), one.starts);
+  field(required("share"), one.share);
+  field(required("from_rest"), one.from_rest);
+  field(required("x_min", "m"), one.least);
+  field(required("x_max", "m"), one.largest);
+  field(required("once_a_period", "m"), one.once_a_period);
+  field(required("events"), one.events);
+  field(required("pushing"), one.pushing);
+  field(required("reason"), one.reason);
+  field(Field{"on_branch"}, one.on_branch);
+}
+
+void visit_fields(Either<AttractorsAt> auto& at, auto&& field) {
+  field(required("value"), at.value);
+  field(required("starts"), at.starts);
+  field(required("failure"), at.failure);
+  field(required("attractors"), at.attractors);
+}
+
+namespace {
 
 constexpr std::size_t kDrawn = 300;  // instants of a motion that does not repeat
 constexpr int kPushing = 64;         // instants of a period at which a contact that pushes throughout does
@@ -84,11 +107,6 @@ bool repeats(const Attractor& one) {
   return one.verdict == LongRun::periodic || one.verdict == LongRun::at_rest;
 }
 
-/// Whether it is a motion as short as branches may be.
-bool may_lie_on_branch(const Attractor& one, int max_order) {
-  return repeats(one) && one.order >= 1 && one.order <= max_order;
-}
-
 bool passes(const Branch& branch, double value, const Attractor& one) {
   constexpr double kSameValue = 1e-10, kSame = 1e-5;
   const double scale = extent(one);
@@ -135,51 +153,8 @@ AttractorsAt follow_starts(const Problem& problem, double value, const Attractor
     ++at.starts;
     add_attractor(std::move(found), at);
   }
-  std::ranges::stable_sort(at.attractors,
-                           [](const Attractor& a, const Attractor& b) { return a.starts > b.starts; });
-  return at;
-}
-
-Json attractor_json(const Attractor& one, int starts) {
-  Json events = Json::array();
-  for (const OrbitEvent& event : one.events) events.push_back(write_fields(event));
-  return {{"verdict", name_of(one.verdict)},
-          {"order", one.order > 0 ? Json(one.order) : Json()},
-          {"starts", one.starts},
-          {"share", static_cast<double>(one.starts) / starts},
-          {"from_rest", one.from_rest},
-          {"x_min", one.least},
-          {"x_max", one.largest},
-          {"once_a_period", one.once_a_period},
-          {"events", events},
-          {"pushing", one.pushing},
-          {"on_branch", one.on_branch ? Json(*one.on_branch) : Json()},
-          {"reason", one.reason}};
-}
-
-LongRun verdict_of(const std::string& name) {
-  for (int i = 0; i < static_cast<int>(LongRun::undecided); ++i)
-    if (name_of(static_cast<LongRun>(i)) == name) return static_cast<LongRun>(i);
-  return LongRun::undecided;
-}
-
-/// What a process of ours has sent.
-AttractorsAt attractors_from_json(const Json& json) {
-  AttractorsAt at{.value = json.at("value").get<double>(),
-                  .starts = json.at("starts").get<int>(),
-                  .failure = json.at("failure").get<std::string>()};
-  for (const Json& one : json.at("attractors")) {
-    at.attractors.push_back({.verdict = verdict_of(one.at("verdict").get<std::string>()),
-                             .order = one.at("order").is_null() ? 0 : one.at("order").get<int>(),
-                             .starts = one.at("starts").get<int>(),
-                             .from_rest = one.at("from_rest").get<bool>(),
-                             .least = one.at("x_min").get<std::vector<double>>(),
-                             .largest = one.at("x_max").get<std::vector<double>>(),
-                             .once_a_period = one.at("once_a_period").get<std::vector<double>>(),
-                             .reason = one.at("reason").get<std::string>(),
-                             .pushing = one.at("pushing").get<std::vector<bool>>()});
-    for (const Json& event : one.at("events")) read_fields(event, at.attractors.back().events.emplace_back());
-  }
+  for (Attractor& one : at.attractors) one.share = static_cast<double>(one.starts) / at.starts;
+  std::ranges::stable_sort(at.attractors, std::greater<>(), &Attractor::starts);
   return at;
 }
 
@@ -203,7 +178,7 @@ std::vector<AttractorsAt> attractors_over(const ParametrisedScene& scene, const 
       } catch (const std::exception& error) {
         at.failure = error.what();
       }
-      send(json_line(to_json(at)));
+      send(json_line(write_fields(at)));
     });
   }
   const std::vector<ChildEnd> ends = run_isolated_together(
@@ -214,7 +189,7 @@ std::vector<AttractorsAt> attractors_over(const ParametrisedScene& scene, const 
   std::vector<AttractorsAt> all;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (!ends[i].lines.empty()) {
-      all.push_back(attractors_from_json(parse_json(ends[i].lines.front())));
+      read_fields(parse_json(ends[i].lines.front()), all.emplace_back());
     } else if (ends[i].kind != ChildEnd::Kind::interrupted && !interrupted()) {
       all.push_back({.value = values[i], .failure = describe(ends[i])});
     }
@@ -227,7 +202,7 @@ std::vector<KnownMotion> motions_of(const ParametrisedScene& scene, const std::v
   std::vector<KnownMotion> motions;
   for (const AttractorsAt& at : all) {
     for (const Attractor& one : at.attractors) {
-      if (!may_lie_on_branch(one, max_order)) continue;
+      if (!repeats(one) || one.order < 1 || one.order > max_order) continue;
       const double period = one.order * scene.at(at.value).forcing_period();
       motions.push_back(
           {at.value, std::make_shared<ListedMotion>(period, contact_events(one.events), one.pushing)});
@@ -262,15 +237,13 @@ Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& p
                          "on a branch"},
               .rows = {}};
   for (const AttractorsAt& at : all) {
-    const Cell value(fmt::format("{:.10g}", at.value), at.value);
+    const Cell value = number_cell(at.value);
     if (!at.failure.empty()) table.rows.push_back({value, at.failure, "-", "-", "-", "-", "-", "-"});
     for (const Attractor& one : at.attractors) {
-      const double share = static_cast<double>(one.starts) / at.starts;
       table.rows.push_back({value, std::string(name_of(one.verdict)),
-                            one.order > 0 ? fmt::format("{}", one.order) : std::string("-"),
-                            Cell(fmt::format("{:.2f}", share), share), fmt::format("{}", one.starts),
-                            Cell(fmt::format("{:.6g}", one.amplitude()), one.amplitude()),
-                            one.from_rest ? "yes" : "no",
+                            one.order > 0 ? std::to_string(one.order) : "-",
+                            Cell(fmt::format("{:.2f}", one.share), one.share), std::to_string(one.starts),
+                            number_cell(one.amplitude(), 6), one.from_rest ? "yes" : "no",
                             !one.on_branch   ? "-"
                             : *one.on_branch ? "yes"
                                              : "no"});
@@ -280,9 +253,12 @@ Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& p
 }
 
 Json to_json(const AttractorsAt& at) {
-  Json list = Json::array();
-  for (const Attractor& one : at.attractors) list.push_back(attractor_json(one, at.starts));
-  return {{"value", at.value}, {"starts", at.starts}, {"failure", at.failure}, {"attractors", list}};
+  Json json = write_fields(at);
+  for (Json& one : json["attractors"]) {
+    if (one["order"] == 0) one["order"] = nullptr;
+    if (!one.contains("on_branch")) one["on_branch"] = nullptr;
+  }
+  return json;
 }
 
 }  // namespace signorini

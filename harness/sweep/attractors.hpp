@@ -21,6 +21,7 @@ struct Attractor {
   LongRun verdict = LongRun::undecided;
   int order = 0;                                 ///< forcing periods per period; 0 unless periodic
   int starts = 0;                                ///< that go there
+  double share = 0.0;                            ///< of all starts
   bool from_rest = false;                        ///< one of them is rest
   std::vector<double> least = {}, largest = {};  ///< x of each contact [m]
   /// x of the contact that moves most at t = 0 of forcing periods [m]
@@ -74,7 +75,8 @@ std::vector<std::string> off_branches(std::vector<AttractorsAt>& all, const std:
 Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& parameter);
 
 /// Keys `value`, `starts`, `failure` and `attractors`, a list with `verdict`, `order`, `starts`, `share`,
-/// `from_rest`, `x_min`, `x_max`, `once_a_period`, `events`, `pushing`, `on_branch`, `reason`.
+/// `from_rest`, `x_min`, `x_max`, `once_a_period`, `events`, `pushing`, `reason`, `on_branch`; null where
+/// there is none.
 nlohmann::ordered_json to_json(const AttractorsAt& at);
 
 }  // namespace signorini

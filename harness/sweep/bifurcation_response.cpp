@@ -28,10 +28,10 @@ constexpr SpecialKind kFollowedKinds[] = {SpecialKind::fold,           SpecialKi
                                           SpecialKind::grazing,        SpecialKind::contact_change};
 
 SpecialKind followed_kind(const std::string& name) {
-  for (const SpecialKind kind : kFollowedKinds) {
-    if (describe(kind) == name) return kind;
-  }
-  throw UsageError(fmt::format("follow = {} (must be {})", name, joined(followed_kinds(), ", ")));
+  std::vector<std::string> names;
+  for (const SpecialKind kind : kFollowedKinds)
+    if (names.emplace_back(describe(kind)) == name) return kind;
+  throw UsageError(fmt::format("follow = {} (must be {})", name, joined(names, ", ")));
 }
 
 // What is constant in the load stays, as weights do.
@@ -67,12 +67,7 @@ ScenePlane plane_of(const SceneSource& source, double from, double to, const Sec
   require_frequency("to", to);
   if (second.place == kFrequency)
     throw UsageError(fmt::format("second = {} (must be another number than the frequency)", second.place));
-  for (const auto& [name, value] :
-       {std::pair("second-from", second.from), std::pair("second-to", second.to)}) {
-    if (!std::isfinite(value)) throw UsageError(fmt::format("{} = {} (must be finite)", name, value));
-  }
-  if (second.from == second.to)
-    throw UsageError(fmt::format("second-to = {} (must differ from --second-from)", second.to));
+  require_interval("second-from", second.from, "second-to", second.to);
   return {.at = [scene = varied(source, second), from,
                  to](double value) { return over_frequency(scene(value), from, to); },
           .second = second.place,
@@ -80,20 +75,7 @@ ScenePlane plane_of(const SceneSource& source, double from, double to, const Sec
           .to = second.to};
 }
 
-Cell value_cell(double value) { return {fmt::format("{:.10g}", value), value}; }
-
-Cell largest_in(const std::vector<double>& values) {
-  if (values.empty()) return "-";
-  return value_cell(*std::max_element(values.begin(), values.end()));
-}
-
 }  // namespace
-
-std::vector<std::string> followed_kinds() {
-  std::vector<std::string> names;
-  for (const SpecialKind kind : kFollowedKinds) names.push_back(describe(kind));
-  return names;
-}
 
 BranchDiagram bifurcation_response(const SceneSource& source, double from, double to,
                                    const SecondParameter& second, const std::string& kind,
@@ -154,16 +136,15 @@ Table bifurcation_table(const BranchDiagram& curves, const std::string& kind, co
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const SolutionPoint& point = curve.points[i];
       const bool first = i == 0, last = i + 1 == curve.points.size();
-      std::vector<Cell>& row = table.rows.emplace_back(
-          std::vector<Cell>{value_cell(static_cast<double>(c)), kind, value_cell(point.frequency),
-                            value_cell(point.second.value_or(std::nan(""))), value_cell(point.order),
-                            value_cell(point.impacts), largest_in(point.x_max), largest_in(point.amplitude),
-                            last    ? "ends: " + curve.ended
-                            : first ? "begins: " + curve.began
-                                    : std::string()});
+      std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
+          number_cell(static_cast<double>(c)), kind, number_cell(point.frequency),
+          number_cell(point.second.value_or(std::nan(""))), number_cell(point.order),
+          number_cell(point.impacts), largest_cell(point.x_max), largest_cell(point.amplitude),
+          last    ? "ends: " + curve.ended
+          : first ? "begins: " + curve.began
+                  : std::string()});
       if (!damped) continue;
-      const Cell ratio = point.damping_ratio ? value_cell(*point.damping_ratio) : Cell("-");
-      row.insert(row.end() - 1, {ratio, Cell(describe(point.stability))});
+      row.insert(row.end() - 1, {number_cell(point.damping_ratio), Cell(describe(point.stability))});
     }
   }
   return table;

@@ -4,7 +4,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "harness/sweep/branch_response.hpp"
 #include "harness/table.hpp"
@@ -22,13 +21,10 @@ struct SecondParameter {
   double to = 1.0;
 };
 
-/// The kinds of special points that have a curve, by their names: "fold", "period-doubling",
-/// "neimark-sacker", "phase-resonance", "grazing", "contact-change".
-std::vector<std::string> followed_kinds();
-
 /// Curves of the special points of a kind, over the frequency from `from` to `to` and a second number, from
 /// each one that the method finds at its first value (CurveMethod::follow_bifurcations).
-/// \param kind  one of followed_kinds. \throws UsageError where the method follows none of these or not this
+/// \param kind  "fold", "period-doubling", "neimark-sacker", "phase-resonance", "grazing" or "contact-change"
+/// \throws UsageError where the method follows none of these or not this
 /// scene, the interval is none or the place is that of the frequency; SceneError where an end is no scene;
 /// InvalidOption
 BranchDiagram bifurcation_response(const SceneSource& source, double from, double to,
@@ -42,12 +38,12 @@ ParameterRange backbone_band(const SceneSource& source);
 /// {"parameter", "second", "curves": [{"kind", "sequence", "points": [{"second", ...}], "began", "ended"}],
 /// "unfinished"}, the other keys of a point those of to_json(SolutionPoint); without those of stability where
 /// the kind is a change of it.
-/// \param kind    one of followed_kinds \param second  its place
+/// \param kind    of bifurcation_response \param second  its place
 nlohmann::ordered_json bifurcation_json(const BranchDiagram& curves, const std::string& kind,
                                         const std::string& second);
 
 /// One row per point, in the order of the curves; of phase resonances with stability and damping ratio.
-/// \param kind    one of followed_kinds \param second  its place
+/// \param kind    of bifurcation_response \param second  its place
 Table bifurcation_table(const BranchDiagram& curves, const std::string& kind, const std::string& second);
 
 }  // namespace signorini

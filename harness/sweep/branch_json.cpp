@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_check.hpp"
@@ -24,11 +23,7 @@ Json multipliers_json(const Eigen::VectorXcd& multipliers) {
 
 Json motion_json(const Eigen::MatrixXd& motion) {
   Json rows = Json::array();
-  for (Eigen::Index i = 0; i < motion.rows(); ++i) {
-    Json row = Json::array();
-    for (Eigen::Index j = 0; j < motion.cols(); ++j) row.push_back(motion(i, j));
-    rows.push_back(std::move(row));
-  }
+  for (const auto& row : motion.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
   return rows;
 }
 
@@ -84,21 +79,20 @@ Eigen::MatrixXd motion_from_json(const Json& json, std::size_t contacts) {
     if (row.size() != contacts)
       throw BadRecord(
           fmt::format("motion = {} numbers (must be {}, one of each contact)", row.size(), contacts));
-    for (std::size_t j = 0; j < contacts; ++j)
-      motion(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = row[j];
+    motion.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(row.data(), motion.cols());
   }
   return motion;
 }
 
 SolutionPoint point_from_json(const Json& json) {
-  constexpr std::size_t kMostPeriods = 1000, kMostImpacts = 1000000000;
   SolutionPoint point;
   point.frequency = number_of_json(json.at("omega"));
   point.parameter = json.contains("value") ? number_of_json(json.at("value")) : point.frequency;
-  point.order = static_cast<int>(count_of_json(json, "order", 1, kMostPeriods));
+  point.order = static_cast<int>(count_of_json(json, "order", 1, 1000));
   point.amplitude = numbers_of_json(json.at("amplitude"));
   point.x_max = numbers_of_json(json.at("x_max"));
-  point.impacts = static_cast<int>(count_of_json(json, "impacts", 0, kMostImpacts));
+  point.impacts = static_cast<int>(count_of_json(json, "impacts", 0, 1'000'000'000));
   point.stability = enum_from_name<OrbitStability>("stability", json.at("stability").get<std::string>());
   point.undefined = json.value("stability_reason", "");
   const auto& multipliers = json.at("multipliers").get_ref<const Json::array_t&>();

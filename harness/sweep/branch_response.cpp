@@ -10,9 +10,8 @@
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/orbits/orbit_search.hpp"
-#include "harness/plan/deadline.hpp"
 #include "harness/sweep/branch_json.hpp"
-#include "harness/sweep/free_motions.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "problems/scene/varied_scene.hpp"
 
 namespace signorini {
@@ -41,55 +40,39 @@ Json steps_json(const MethodResponse& response) {
   return json;
 }
 
-Cell number_of(double value) { return {fmt::format("{:.10g}", value), value}; }
-
-Cell largest_cell(const std::vector<double>& values) {
-  if (values.empty()) return "-";
-  return number_of(*std::max_element(values.begin(), values.end()));
-}
-
 std::vector<Cell> row_of(const std::string& method, std::size_t branch, const SolutionPoint& point,
                          const std::string& mark) {
   std::vector<Cell> row{method,
-                        number_of(static_cast<double>(branch)),
-                        number_of(point.parameter),
-                        number_of(point.order),
-                        number_of(point.impacts),
+                        number_cell(static_cast<double>(branch)),
+                        number_cell(point.parameter),
+                        number_cell(point.order),
+                        number_cell(point.impacts),
                         largest_cell(point.x_max),
                         largest_cell(point.amplitude),
                         describe(point.stability),
                         mark};
-  if (point.energy) row.push_back(number_of(other_than_parameter(point)));
+  if (point.energy) row.push_back(number_cell(other_than_parameter(point)));
   return row;
 }
 
-// The points of a branch at values asked for.
-void add_points(Table& table, const std::string& method, std::size_t number_of_branch, const Branch& branch) {
-  for (const SolutionPoint& point : branch.points)
-    table.rows.push_back(row_of(method, number_of_branch, point, ""));
-}
-
-void add_rows(Table& table, const std::string& method, std::size_t number_of_branch, const Branch& branch) {
-  auto special = branch.special.begin();
+// Points at values asked for stand without what is between them.
+void add_rows(Table& table, const std::string& method, std::size_t number, const Branch& branch,
+              bool at_values) {
+  auto special = at_values ? branch.special.end() : branch.special.begin();
   for (std::size_t i = 0; i <= branch.points.size(); ++i) {
     for (; special != branch.special.end() && special->after == i; ++special)
-      table.rows.push_back(row_of(method, number_of_branch, special->point, describe(special->kind)));
+      table.rows.push_back(row_of(method, number, special->point, describe(special->kind)));
     if (i == branch.points.size()) break;
-    const bool first = i == 0, last = i + 1 == branch.points.size();
-    table.rows.push_back(row_of(method, number_of_branch, branch.points[i],
-                                first  ? "begins: " + branch.began
-                                : last ? "ends: " + branch.ended
-                                       : ""));
+    const bool last = i + 1 == branch.points.size();
+    const std::string mark = i == 0 ? "begins: " + branch.began : last ? "ends: " + branch.ended : "";
+    table.rows.push_back(row_of(method, number, branch.points[i], at_values ? "" : mark));
   }
 }
 
 }  // namespace
 
 ParametrisedScene over_place(const SceneSource& source, const std::string& place, double from, double to) {
-  for (const auto& [name, value] : {std::pair("from", from), std::pair("to", to)}) {
-    if (!std::isfinite(value)) throw UsageError(fmt::format("{} = {} (must be finite)", name, value));
-  }
-  if (from == to) throw UsageError(fmt::format("to = {} (must differ from `from`)", to));
+  require_interval("from", from, "to", to);
   const auto scene = std::make_shared<const VariedScene>(source, place);
   for (const double end : {from, to}) (void)scene->at(end);  // refuses what is no scene
   return {.parameter = place, .from = from, .to = to, .at = [scene](double value) {
@@ -98,9 +81,8 @@ ParametrisedScene over_place(const SceneSource& source, const std::string& place
 }
 
 int default_orders(const Problem& problem, const MethodChoice& method) {
-  constexpr int kSmall = 10, kOrdersOfSmall = 6;
-  const bool small = problem.size() <= kSmall && highest_load_harmonic(problem) > 0;
-  return small && method.entry->exact ? kOrdersOfSmall : CurveLimits{}.max_order;
+  const bool small = problem.size() <= 10 && highest_load_harmonic(problem) > 0;
+  return small && method.entry->exact ? 6 : CurveLimits{}.max_order;
 }
 
 bool has_curve(const MethodChoice& method) { return method.make()->curve() != nullptr; }
@@ -140,7 +122,6 @@ std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const M
 
 std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int values, int max_order,
                                           double timeout) {
-  constexpr int kStarts = 24;
   const Deadline deadline = Deadline::after(timeout);
   std::vector<KnownMotion> found;
   for (int i = 0; i < values; ++i) {
@@ -151,7 +132,7 @@ std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int va
     const Problem problem = scene.at(value);
     if (highest_load_harmonic(problem) == 0) break;
     for (const FoundOrbit& one :
-         find_all_orbits(problem, {.starts = kStarts, .subharmonics = max_order, .timeout = left}).orbits)
+         find_all_orbits(problem, {.starts = 24, .subharmonics = max_order, .timeout = left}).orbits)
       found.push_back({value, one.certified.motion});
   }
   return found;
@@ -210,6 +191,20 @@ Json to_json(const std::vector<MethodResponse>& responses) {
           {"incomplete", incomplete}};
 }
 
+bool of_free_motions(const BranchDiagram& diagram) {
+  return std::ranges::any_of(diagram.branches, [](const Branch& branch) {
+    return !branch.points.empty() && branch.points.front().energy.has_value();
+  });
+}
+
+std::string parameter_title(const std::string& parameter) {
+  return parameter == kFrequency ? "omega [rad/s]" : parameter == kEnergy ? "energy [J]" : parameter;
+}
+
+double other_than_parameter(const SolutionPoint& point) {
+  return point.parameter == *point.energy ? point.frequency : *point.energy;
+}
+
 Branch points_at(const Branch& branch, const std::vector<double>& values) {
   constexpr double kSame = 1e-10;  // of the largest value on the branch
   double scale = 0.0;
@@ -238,15 +233,12 @@ Table branch_table(const std::vector<MethodResponse>& responses, std::size_t fir
     table.header.push_back(parameter == kEnergy ? "omega [rad/s]" : "energy [J]");
   for (const MethodResponse& response : responses) {
     const std::string name = name_with_law(response);
-    const auto& add = response.at_values ? add_points : add_rows;
     for (std::size_t i = 0; i < response.diagram.branches.size(); ++i)
-      add(table, name, first + i, response.diagram.branches[i]);
-    for (const SweepPoint& step : response.steps) {
-      const std::string stability = stability_word(step.stable, step.undefined);
-      table.rows.push_back({name, number_of(0), number_of(step.frequency), number_of(response.order), "-",
-                            largest_cell(step.x_max), largest_cell(step.amplitude),
-                            stability.empty() ? "-" : stability, std::string(status_name(step.status))});
-    }
+      add_rows(table, name, first + i, response.diagram.branches[i], response.at_values);
+    for (const SweepPoint& step : response.steps)
+      table.rows.push_back({name, number_cell(0.0), number_cell(step.frequency), number_cell(response.order),
+                            "-", largest_cell(step.x_max), largest_cell(step.amplitude), stability_cell(step),
+                            std::string(status_name(step.status))});
   }
   for (std::vector<Cell>& row : table.rows) row.resize(table.header.size(), Cell("-"));
   return table;

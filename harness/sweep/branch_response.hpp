@@ -41,6 +41,15 @@ std::optional<BranchDiagram> branches_of(const ParametrisedScene& scene, const M
 std::vector<KnownMotion> searched_motions(const ParametrisedScene& scene, int values, int max_order,
                                           double timeout);
 
+/// Whether the branches are of free motions, whose points have an energy.
+bool of_free_motions(const BranchDiagram& diagram);
+
+/// "omega [rad/s]", "energy [J]", or the place of another number.
+std::string parameter_title(const std::string& parameter);
+
+/// Of a free motion the energy [J], or where that is the parameter the frequency [rad/s].
+double other_than_parameter(const SolutionPoint& point);
+
 /// The points of a branch where the parameter has one of several values; special points and ends stay.
 Branch points_at(const Branch& branch, const std::vector<double>& values);
 

@@ -49,10 +49,6 @@ SweepPoint point_of(const Record& record, double frequency, bool down) {
   return point;
 }
 
-bool leads_on(const Record& record) {
-  return record.status == Status::converged && record.trajectory && record.period;
-}
-
 /// The solves of a sweep: each starts from the last answer that was found, its time stretched to the new
 /// period; cold where none was found.
 class SweepSolves final : public SolveSeries {
@@ -67,7 +63,7 @@ class SweepSolves final : public SolveSeries {
     return answer_ ? stretched(*answer_, answered_ / scene_.problem.frequency) : nullptr;
   }
   bool go_on(const Record& record) override {
-    if (leads_on(record)) {
+    if (record.status == Status::converged && record.trajectory && record.period) {
       answer_ = record;
       answered_ = scene_.problem.frequency;
     }
@@ -85,27 +81,19 @@ class SweepSolves final : public SolveSeries {
   double answered_ = 1.0;  // frequency of the load behind it
 };
 
-Cell number_cell(const Measure& value) {
-  return value ? Cell(fmt::format("{:.6g}", *value), *value) : Cell("-");
-}
-
-/// The largest value over the contacts; absent without contacts.
-Measure largest(const std::vector<double>& values) {
-  return values.empty() ? Measure{} : *std::ranges::max_element(values);
-}
-
-std::string_view way_name(const SweepPoint& point) { return point.down ? "down" : "up"; }
-
-std::string stability_text(const SweepPoint& point) {
-  const std::string word = stability_word(point.stable, point.undefined);
-  return word.empty() ? "-" : word;
-}
+std::string way_name(const SweepPoint& point) { return point.down ? "down" : "up"; }
 
 }  // namespace
 
 void require_frequency(const char* name, double value) {
   if (!std::isfinite(value) || !(value > 0.0))
     throw UsageError(fmt::format("{} = {} (must be a positive number of rad/s)", name, value));
+}
+
+void require_interval(const char* from_name, double from, const char* to_name, double to) {
+  for (const auto& [name, value] : {std::pair(from_name, from), std::pair(to_name, to)})
+    if (!std::isfinite(value)) throw UsageError(fmt::format("{} = {} (must be finite)", name, value));
+  if (from == to) throw UsageError(fmt::format("{} = {} (must differ from --{})", to_name, to, from_name));
 }
 
 std::vector<double> sweep_frequencies(const SweepRange& range) {
@@ -115,7 +103,7 @@ std::vector<double> sweep_frequencies(const SweepRange& range) {
     for (const double value : range.at) require_frequency("at", value);
     return range.at;
   }
-  if (range.from == range.to) throw UsageError(fmt::format("to = {} (must differ from --from)", range.to));
+  require_interval("from", range.from, "to", range.to);
   if (range.points < 2) throw UsageError(fmt::format("points = {} (must be 2 or more)", range.points));
   std::vector<double> frequencies;
   for (int i = 0; i < range.points; ++i) {
@@ -155,16 +143,30 @@ std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoic
   return points;
 }
 
+Cell number_cell(const Measure& value, int digits) {
+  return value ? Cell(fmt::format("{:.{}g}", *value, digits), *value) : Cell("-");
+}
+
+Cell largest_cell(const std::vector<double>& values, int digits) {
+  return number_cell(values.empty() ? Measure{} : std::ranges::max(values), digits);
+}
+
+Cell stability_cell(const SweepPoint& point) {
+  const std::string word = stability_word(point.stable, point.undefined);
+  return word.empty() ? "-" : word;
+}
+
 Table response_table(const std::vector<SweepPoint>& points, bool certified, const std::string& other_law) {
+  constexpr int kDigits = 6;
   Table table;
   table.header = {"omega [rad/s]", "way", "status", "x max [m]", "amplitude [m]", "contact ratio"};
   if (certified) table.header.emplace_back("stability");
   if (!other_law.empty()) table.header.emplace_back("other law");
   for (const SweepPoint& point : points) {
-    std::vector<Cell> row{number_cell(point.frequency),           std::string(way_name(point)),
-                          std::string(status_name(point.status)), number_cell(largest(point.x_max)),
-                          number_cell(largest(point.amplitude)),  number_cell(point.contact_ratio)};
-    if (certified) row.emplace_back(stability_text(point));
+    std::vector<Cell> row{number_cell(point.frequency, kDigits),  way_name(point),
+                          std::string(status_name(point.status)), largest_cell(point.x_max, kDigits),
+                          largest_cell(point.amplitude, kDigits), number_cell(point.contact_ratio, kDigits)};
+    if (certified) row.push_back(stability_cell(point));
     if (!other_law.empty()) row.emplace_back(other_law);
     table.rows.push_back(std::move(row));
   }

@@ -26,6 +26,9 @@ struct SweepRange {
 /// \throws UsageError unless a frequency is finite and positive \param name  of the option that gives it
 void require_frequency(const char* name, double value);
 
+/// \throws UsageError unless both ends, by the names of their options, are finite and different
+void require_interval(const char* from_name, double from, const char* to_name, double to);
+
 /// The frequencies in the order they are solved. \throws UsageError unless the ends are finite, positive and
 /// different, and those of `at` positive and different too
 std::vector<double> sweep_frequencies(const SweepRange& range);
@@ -68,6 +71,13 @@ using TakePoint = std::function<void(const SweepPoint& point)>;
 std::vector<SweepPoint> frequency_response(const Scene& scene, const MethodChoice& method,
                                            const SweepRange& range, const SweepLimits& limits,
                                            const TakePoint& take = {});
+
+/// A number in a table; "-" where there is none.
+Cell number_cell(const Measure& value, int digits = 10);
+/// The largest over the contacts; "-" without contacts.
+Cell largest_cell(const std::vector<double>& values, int digits = 10);
+/// Whether the certified orbit of a point is stable: "stable", ..., "-" where that is not known.
+Cell stability_cell(const SweepPoint& point);
 
 /// One row per point in the order of the solves; `certified` adds the column of stability, and `other_law`,
 /// unless it is empty, one with that law in each row. What is absent is "-".

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "harness/failure.hpp"
 #include "harness/isolation/isolation.hpp"
@@ -47,66 +46,50 @@ void send_branches(const FollowCurves& follow, CurveLimits limits, const LineSen
   }
 }
 
-/// In the parent: what has arrived.
-class Received {
- public:
-  explicit Received(const TakeBranch& take) : take_(take) {}
-
-  void line(const std::string& text) {
-    const Json json = parse_json(text);
-    if (json.contains("points")) {
-      take_branch(json);
-    } else if (json.contains("refused")) {
-      refused_ = json.at("refused").get<std::string>();
-    } else {
-      // A method's own words go to the terminal.
-      diagram_.unfinished = as_message(json.at("unfinished").get<std::string>());
-      for (const Json& note : json.at("notes")) diagram_.notes.push_back(as_message(note.get<std::string>()));
-    }
+/// In the parent: a branch that has arrived; one that is none is left out. \return what is wrong with it, for
+/// a method may say anything
+std::string take_branch(const Json& json, const TakeBranch& take, BranchDiagram& diagram) {
+  try {
+    diagram.branches.push_back(branch_from_json(json));
+  } catch (const BadRecord& error) {
+    return fmt::format("invalid branch: {}", error.what());
   }
-
-  /// \throws UsageError
-  IsolatedBranches all(const std::string& method, const ChildEnd& end) {
-    if (!refused_.empty()) throw UsageError(refused_);
-    IsolatedBranches result{.diagram = std::move(diagram_)};
-    const bool whole = end.kind == ChildEnd::Kind::finished || end.kind == ChildEnd::Kind::interrupted;
-    if (whole && bad_branch_.empty()) return result;
-    result.failure = as_message(fmt::format("{}: {}", method, whole ? bad_branch_ : describe(end)));
-    result.diagram.unfinished = result.failure;
-    return result;
-  }
-
- private:
-  /// One that is none is left out: a method may say anything.
-  void take_branch(const Json& json) {
-    try {
-      diagram_.branches.push_back(branch_from_json(json));
-    } catch (const BadRecord& error) {
-      bad_branch_ = fmt::format("invalid branch: {}", error.what());
-      return;
-    }
-    if (take_) take_(diagram_.branches.back());
-  }
-
-  const TakeBranch& take_;
-  BranchDiagram diagram_;
-  std::string refused_, bad_branch_;
-};
+  if (take) take(diagram.branches.back());
+  return {};
+}
 
 }  // namespace
 
 IsolatedBranches isolated_branches(const std::string& method, const CurveLimits& limits,
                                    const FollowCurves& follow) {
-  constexpr double kForever = 1e8;  // [s]: clocks count that far
-  Received received(limits.take);
+  IsolatedBranches found;
+  std::string refused, bad_branch;
+  const auto receive = [&](std::size_t, const std::string& text) {
+    const Json json = parse_json(text);
+    if (json.contains("points")) {
+      const std::string wrong = take_branch(json, limits.take, found.diagram);
+      if (!wrong.empty()) bad_branch = wrong;
+    } else if (json.contains("refused")) {
+      refused = json.at("refused").get<std::string>();
+    } else {
+      // A method's own words go to the terminal.
+      found.diagram.unfinished = as_message(json.at("unfinished").get<std::string>());
+      for (const Json& note : json.at("notes"))
+        found.diagram.notes.push_back(as_message(note.get<std::string>()));
+    }
+  };
   ChildEnd last;
+  const double seconds = std::clamp(limits.deadline.left(), 0.0, 1e8);  // clocks count that far
   run_isolated_together(
       {[&](const LineSender& send) { send_branches(follow, limits, send); }},
-      {.stage_seconds = {enforced(std::clamp(limits.deadline.left(), 0.0, kForever)) + kQuickSeconds},
-       .memory_mb = Limits{}.memory_mb},
-      1, [&](std::size_t, const ChildEnd& end) { last = end; },
-      [&](std::size_t, const std::string& line) { received.line(line); });
-  return received.all(method, last);
+      {.stage_seconds = {enforced(seconds) + kQuickSeconds}, .memory_mb = Limits{}.memory_mb}, 1,
+      [&](std::size_t, const ChildEnd& end) { last = end; }, receive);
+  if (!refused.empty()) throw UsageError(refused);
+  const bool whole = last.kind == ChildEnd::Kind::finished || last.kind == ChildEnd::Kind::interrupted;
+  if (whole && bad_branch.empty()) return found;
+  found.failure = as_message(fmt::format("{}: {}", method, whole ? bad_branch : describe(last)));
+  found.diagram.unfinished = found.failure;
+  return found;
 }
 
 std::optional<IsolatedBranches> isolated_branches(

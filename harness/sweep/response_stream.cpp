@@ -11,53 +11,38 @@
 
 namespace signorini {
 
-namespace {
-
-void print_line(const std::string& line) {
-  fmt::print("{}\n", line);
-  (void)std::fflush(stdout);
-}
-
-}  // namespace
-
 ResponseStream::ResponseStream(std::string format, MethodResponse shape)
     : format_(std::move(format)), shape_(std::move(shape)) {}
 
 void ResponseStream::branch(const MethodResponse& of, const Branch& branch) {
   if (of.method != method_) branches_ = 0;
   method_ = of.method;
-  if (format_ == "jsonl") {
-    print_line(json_line(to_json(branch, of.method, of.other_law)));
-  } else if (prints()) {
-    MethodResponse response = shape_;
-    response.method = of.method;
-    response.other_law = of.other_law;
-    response.diagram.branches = {branch};
-    rows(response);
-  }
+  if (format_ == "jsonl") print(json_line(to_json(branch, of.method, of.other_law)) + "\n");
+  if (format_ == "csv") rows(of, {.branches = {branch}}, {});
   ++branches_;
 }
 
 void ResponseStream::step(const MethodResponse& of, const SweepPoint& step) {
-  if (format_ == "jsonl") {
-    print_line(json_line(to_json(step, of.method, of.other_law)));
-  } else if (prints()) {
-    MethodResponse response = shape_;
-    response.method = of.method;
-    response.other_law = of.other_law;
-    response.steps = {step};
-    rows(response);
-  }
+  if (format_ == "jsonl") print(json_line(to_json(step, of.method, of.other_law)) + "\n");
+  if (format_ == "csv") rows(of, {}, {step});
 }
 
 void ResponseStream::end() {
-  if (format_ == "csv" && !begun_) rows(shape_);
+  if (format_ == "csv" && !begun_) rows({}, {}, {});
 }
 
-void ResponseStream::rows(const MethodResponse& response) {
-  std::string text = to_csv(branch_table({response}, branches_));
-  if (begun_) text.erase(0, text.find('\n') + 1);
+void ResponseStream::rows(const MethodResponse& of, BranchDiagram diagram, std::vector<SweepPoint> steps) {
+  MethodResponse response = shape_;
+  response.method = of.method;
+  response.other_law = of.other_law;
+  response.diagram = std::move(diagram);
+  response.steps = std::move(steps);
+  const std::string text = to_csv(branch_table({response}, branches_));
+  print(begun_ ? text.substr(text.find('\n') + 1) : text);
   begun_ = true;
+}
+
+void ResponseStream::print(const std::string& text) {
   fmt::print("{}", text);
   (void)std::fflush(stdout);
 }

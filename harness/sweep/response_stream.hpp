@@ -23,7 +23,8 @@ class ResponseStream {
   void end();
 
  private:
-  void rows(const MethodResponse& response);
+  void rows(const MethodResponse& of, BranchDiagram diagram, std::vector<SweepPoint> steps);
+  static void print(const std::string& text);
 
   std::string format_;
   MethodResponse shape_;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "harness/report/document/lines.hpp"
-#include "harness/sweep/free_motions.hpp"
 #include "harness/text/columns.hpp"
+#include "methods/orbit/continuation/linear_mode_starts.hpp"
 
 namespace signorini {
 
