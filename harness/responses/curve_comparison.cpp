@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -43,27 +42,22 @@ double nearest(const ResponsePoint& point, const std::vector<SizedElement>& elem
   return least;
 }
 
-double total(const std::vector<SizedElement>& elements, int orders = kAllOrders) {
-  double length = 0.0;
-  for (const SizedElement& element : elements)
-    if (element.middle.order <= orders) length += element.length;
-  return length;
-}
-
-/// Length of the elements within a tolerance of the others, and of the stable ones among them.
+/// Length of the elements within a tolerance of the others and of all, and of the stable ones among them.
 struct Covered {
-  double length = 0.0, stable = 0.0, all_stable = 0.0;
+  double length = 0.0, all = 0.0, stable = 0.0, all_stable = 0.0;
 };
 
-/// \param orders  of `length`; `stable` and `all_stable` are of every order
+/// \param orders  of `length` and `all`; `stable` and `all_stable` are of every order
 Covered covered(const std::vector<SizedElement>& elements, const std::vector<double>& distances,
                 double tolerance, int orders = kAllOrders) {
   Covered sum;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const bool stable = elements[i].middle.stable.value_or(false);
+    const bool counts = elements[i].middle.order <= orders;
     if (stable) sum.all_stable += elements[i].length;
+    if (counts) sum.all += elements[i].length;
     if (!(distances[i] <= tolerance)) continue;
-    if (elements[i].middle.order <= orders) sum.length += elements[i].length;
+    if (counts) sum.length += elements[i].length;
     if (stable) sum.stable += elements[i].length;
   }
   return sum;
@@ -75,13 +69,6 @@ std::vector<double> distances(const std::vector<SizedElement>& from, const std::
   for (const SizedElement& element : from)
     result.push_back(nearest(element.middle, to, metric, kWideTolerance * window));
   return result;
-}
-
-/// The distances of elements with 0 where a motion is on no exact branch but one of the scene.
-void add_true_motions(const std::vector<SizedElement>& claimed, const ComparisonOptions& options,
-                      std::vector<double>& distances) {
-  for (std::size_t i = 0; options.is_true && i < claimed.size(); ++i)
-    if (distances[i] > kWideTolerance && options.is_true(claimed[i].middle)) distances[i] = 0.0;
 }
 
 SpecialKind kind_of(const LocatedPoint& point) {
@@ -162,12 +149,15 @@ CurveComparison compare_curves(const ResponseCurve& exact, const ResponseCurve& 
   const std::vector<SizedElement> claimed = ordered(elements_of(curve, metric));
   const std::vector<double> to_curve = distances(truth, claimed, metric, window);
   std::vector<double> to_exact = distances(claimed, truth, metric, window);
-  CurveComparison result{.exact_length = total(truth, options.orders), .length = total(claimed)};
-  add_true_motions(claimed, options, to_exact);
+  CurveComparison result;
+  for (std::size_t i = 0; options.is_true && i < claimed.size(); ++i)
+    if (to_exact[i] > kWideTolerance && options.is_true(claimed[i].middle)) to_exact[i] = 0.0;
   for (const auto& [tolerance, shares] :
        {std::pair{kCloseTolerance, &result.close}, std::pair{kWideTolerance, &result.wide}}) {
     const Covered of_truth = covered(truth, to_curve, tolerance, options.orders);
     const Covered of_claimed = covered(claimed, to_exact, tolerance);
+    result.exact_length = of_truth.all;
+    result.length = of_claimed.all;
     if (result.exact_length > 0.0) shares->covered = of_truth.length / result.exact_length;
     if (of_truth.all_stable > 0.0) shares->covered_stable = of_truth.stable / of_truth.all_stable;
     if (result.length > 0.0) shares->false_share = 1.0 - of_claimed.length / result.length;

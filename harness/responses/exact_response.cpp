@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/files.hpp"
-#include "harness/records/line_file.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/text/json.hpp"

@@ -58,84 +58,54 @@ Eigen::MatrixXd kept_motion(const KeptMotion& x) {
   return motion;
 }
 
-// Which points of a branch straight lines between the others do without.
-class Thinning {
- public:
-  Thinning(const std::vector<ResponsePoint>& points, const ResponseMetric& metric)
-      : points_(points), metric_(metric) {
-    along_.push_back(0.0);
-    for (std::size_t i = 1; i < points.size(); ++i)
-      along_.push_back(along_.back() + metric(points[i - 1], points[i]));
+/// The point at a share of the straight line between two of one order.
+ResponsePoint on_chord(const ResponsePoint& a, const ResponsePoint& b, double share) {
+  ResponsePoint point = share < 0.5 ? a : b;
+  point.frequency = (1.0 - share) * a.frequency + share * b.frequency;
+  point.motion = (1.0 - share) * a.motion + share * b.motion;
+  return point;
+}
+
+/// Whether all between two points are as stable as these, and lie on their chord. \param along  length up to
+/// each point
+bool is_straight(const std::vector<ResponsePoint>& points, const std::vector<double>& along, std::size_t from,
+                 std::size_t to, const ResponseMetric& metric) {
+  constexpr double kOnChord = 1e-3;
+  const ResponsePoint &a = points[from], &b = points[to];
+  if (a.stable != b.stable || !std::isfinite(along[to])) return false;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double share = (along[i] - along[from]) / (along[to] - along[from]);
+    if (points[i].stable != a.stable || !(metric(points[i], on_chord(a, b, share)) <= kOnChord)) return false;
   }
+  return true;
+}
 
-  [[nodiscard]] std::vector<ResponsePoint> run() const {
-    std::vector<ResponsePoint> kept;
-    std::size_t from = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const bool needed = i == 0 || i + 1 == points_.size() || !is_straight(from, i + 1);
-      if (!needed) continue;
-      kept.push_back(points_[i]);
-      from = i;
-    }
-    return kept;
+/// The points that straight lines between them need.
+std::vector<ResponsePoint> thinned(const std::vector<ResponsePoint>& points, const ResponseMetric& metric) {
+  std::vector<double> along{0.0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    along.push_back(along.back() + metric(points[i - 1], points[i]));
+  std::vector<ResponsePoint> kept;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0 && i + 1 < points.size() && is_straight(points, along, from, i + 1, metric)) continue;
+    kept.push_back(points[i]);
+    from = i;
   }
+  return kept;
+}
 
- private:
-  // Whether all between two points are as stable as these, and lie on their chord.
-  [[nodiscard]] bool is_straight(std::size_t from, std::size_t to) const {
-    constexpr double kOnChord = 1e-3;
-    const ResponsePoint &a = points_[from], &b = points_[to];
-    if (a.stable != b.stable || !std::isfinite(along_[to])) return false;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const double share = (along_[i] - along_[from]) / (along_[to] - along_[from]);
-      ResponsePoint on_chord = a;
-      on_chord.frequency = (1.0 - share) * a.frequency + share * b.frequency;
-      on_chord.motion = (1.0 - share) * a.motion + share * b.motion;
-      if (points_[i].stable != a.stable || !(metric_(points_[i], on_chord) <= kOnChord)) return false;
-    }
-    return true;
-  }
-
-  const std::vector<ResponsePoint>& points_;
-  const ResponseMetric& metric_;
-  std::vector<double> along_;  // length up to each point
-};
-
-class Cutter {
- public:
-  explicit Cutter(const ResponseMetric& metric) : metric_(metric) {}
-
-  void cut(const ResponseBranch& branch) {
-    bool joined = false;  // the point before, to the one before it
-    for (std::size_t i = 0; i < branch.points.size(); ++i) {
-      const bool last = i + 1 == branch.points.size();
-      const bool goes_on = !last && chord(branch.points[i], branch.points[i + 1], branch.by_arc_length);
-      if (!joined && !goes_on) elements_.push_back({metric_.primitive(branch.points[i]), kElementLength});
-      joined = goes_on;
-    }
-  }
-  [[nodiscard]] std::vector<CurveElement> take() { return std::move(elements_); }
-
- private:
-  /// False where nothing may be drawn between two points.
-  bool chord(const ResponsePoint& from, const ResponsePoint& to, bool by_arc_length) {
-    const auto [a, b] = metric_.aligned(from, to);
-    const double length = metric_(a, b);
-    if (!by_arc_length && length > kLongestChord) return false;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(length / kElementLength)));
-    for (int k = 0; k < pieces; ++k) {
-      const double share = (k + 0.5) / pieces;
-      ResponsePoint middle = share < 0.5 ? a : b;
-      middle.frequency = (1.0 - share) * a.frequency + share * b.frequency;
-      middle.motion = (1.0 - share) * a.motion + share * b.motion;
-      elements_.push_back({metric_.primitive(std::move(middle)), length / pieces});
-    }
-    return true;
-  }
-
-  const ResponseMetric& metric_;
-  std::vector<CurveElement> elements_;
-};
+/// Adds the elements between two points. \return false where nothing may be drawn between them
+bool add_chord(const ResponsePoint& from, const ResponsePoint& to, bool by_arc_length,
+               const ResponseMetric& metric, std::vector<CurveElement>& elements) {
+  const auto [a, b] = metric.aligned(from, to);
+  const double length = metric(a, b);
+  if (!by_arc_length && length > kLongestChord) return false;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(length / kElementLength)));
+  for (int k = 0; k < pieces; ++k)
+    elements.push_back({metric.primitive(on_chord(a, b, (k + 0.5) / pieces)), length / pieces});
+  return true;
+}
 
 // Digits that tell a motion to 5e-4 of its size, wherever the origin is: far below kCloseTolerance, and a
 // third of the text of all digits.
@@ -237,7 +207,7 @@ std::vector<DrawnBranch> drawn_with_motions(const ResponseCurve& curve) {
 
 ResponseCurve thinned(ResponseCurve curve, const ResponseMetric& metric) {
   for (ResponseBranch& branch : curve.branches)
-    if (branch.by_arc_length && !branch.points.empty()) branch.points = Thinning(branch.points, metric).run();
+    if (branch.by_arc_length && !branch.points.empty()) branch.points = thinned(branch.points, metric);
   return curve;
 }
 
@@ -254,9 +224,18 @@ double amplitude_of(const ResponseCurve& curve) {
 }
 
 std::vector<CurveElement> elements_of(const ResponseCurve& curve, const ResponseMetric& metric) {
-  Cutter cutter(metric);
-  for (const ResponseBranch& branch : curve.branches) cutter.cut(branch);
-  return cutter.take();
+  std::vector<CurveElement> elements;
+  for (const ResponseBranch& branch : curve.branches) {
+    const std::vector<ResponsePoint>& points = branch.points;
+    bool joined = false;  // the point before, to the one before it
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool goes_on = i + 1 < points.size() &&
+                           add_chord(points[i], points[i + 1], branch.by_arc_length, metric, elements);
+      if (!joined && !goes_on) elements.push_back({metric.primitive(points[i]), kElementLength});
+      joined = goes_on;
+    }
+  }
+  return elements;
 }
 
 }  // namespace signorini

@@ -1,7 +1,6 @@
 #pragma once
 // A frequency response as a method gives it, and the same cut into short pieces of known length.
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace signorini {
 
@@ -45,15 +44,11 @@ double ResponseMetric::between(const Eigen::RowVectorXd& a, const Eigen::RowVect
   return a.size() == 0 ? 0.0 : (a - b).cwiseAbs().maxCoeff() / amplitude_;
 }
 
-double ResponseMetric::across(const ResponsePoint& a, const ResponsePoint& b) const {
-  return std::abs(a.frequency - b.frequency) / window_;
-}
-
 double ResponseMetric::operator()(const ResponsePoint& a, const ResponsePoint& b) const {
   if (a.order != b.order) return std::numeric_limits<double>::infinity();
   double nearest = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < a.order; ++shift) nearest = std::min(nearest, apart(a.motion, b.motion, shift));
-  return std::max(across(a, b), nearest);
+  return std::max(std::abs(a.frequency - b.frequency) / window_, nearest);
 }
 
 ResponsePoint ResponseMetric::primitive(ResponsePoint point) const {

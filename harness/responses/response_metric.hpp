@@ -36,8 +36,6 @@ class ResponseMetric {
   [[nodiscard]] static Eigen::RowVectorXd size_of(const Eigen::MatrixXd& motion);
   /// A lower bound of d from the sizes of two motions.
   [[nodiscard]] double between(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) const;
-  /// |omega - omega'| / W, a lower bound of d.
-  [[nodiscard]] double across(const ResponsePoint& a, const ResponsePoint& b) const;
   /// The same motion over its least period: shorter ones count where the motion repeats to 2e-3 A.
   [[nodiscard]] ResponsePoint primitive(ResponsePoint point) const;
   /// `b` delayed by the whole forcing periods that bring it closest to `a`, both over the least common

@@ -27,8 +27,6 @@ namespace {
 
 /// Frequencies of a sweep by steps, one way.
 constexpr int kSteps = 61;
-/// Starts of motions at each of these, and branches in all, where the exact response is looked for.
-constexpr int kStarts = 24, kBranches = 400;
 /// What the judge may take of the time limit for motions that are on no exact branch.
 constexpr double kShareOfJudge = 0.5;
 /// What one solve of a sweep may take of the time limit.
@@ -71,10 +69,9 @@ void refuse(const std::string& reason, Record& record) {
 }
 
 std::string digest_of_branches(const std::vector<DrawnBranch>& branches) {
-  constexpr std::size_t kDigits = 16;
   std::string text;
   for (const DrawnBranch& branch : branches) text += json_line(write_fields(branch)) + "\n";
-  return sha256(text).substr(0, kDigits);
+  return sha256(text).substr(0, 16);
 }
 
 /// Branches, points and open ends of a response; converged where there is a point.
@@ -121,15 +118,14 @@ class ExactTask final : public CaseTask {
   /// Branches of the orders that are looked for in any sweep, or of more where more are asked for, begun at
   /// the motions too that starts settle to at each of the steps. What of these lies on no branch is told.
   [[nodiscard]] ResponseCurve from_attractors() const {
-    constexpr double kFineStep = 1.0 / 3.0;  // of the usual
     const ParametrisedScene varied = asked_.varied();
     const int orders =
         std::max(asked_.question.orders, default_orders(asked_.scene.problem, asked_.planned_case.choice));
     std::vector<AttractorsAt> settled = attractors();
     const BranchDiagram diagram = branches_of(varied, asked_.planned_case.choice,
                                               {.max_order = orders,
-                                               .max_branches = kBranches,
-                                               .step_share = kFineStep,
+                                               .max_branches = 400,
+                                               .step_share = 1.0 / 3.0,
                                                .phases = kComparedPhases,
                                                .at = sweep_frequencies(range_of(asked_.question)),
                                                .begin_at = motions_of(varied, settled, orders),
@@ -144,7 +140,7 @@ class ExactTask final : public CaseTask {
   [[nodiscard]] std::vector<AttractorsAt> attractors() const {
     if (!flow_obstacle(asked_.scene.problem).empty()) return {};
     return attractors_over(asked_.varied(), sweep_frequencies(range_of(asked_.question)),
-                           {.starts = kStarts, .timeout = asked_.limits.reference_timeout / kSteps});
+                           {.starts = 24, .timeout = asked_.limits.reference_timeout / kSteps});
   }
 
   static void tell_attractors(const std::vector<AttractorsAt>& settled, const std::vector<std::string>& off,

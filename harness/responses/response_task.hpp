@@ -2,7 +2,6 @@
 // What the processes of a case do that is a response: it is followed, measured against the exact one, and
 // timed.
 
-#include <memory>
 #include <vector>
 
 #include "harness/responses/exact_response.hpp"

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "harness/plan/deadline.hpp"
 #include "harness/responses/response_metric.hpp"
 #include "methods/curve.hpp"
 

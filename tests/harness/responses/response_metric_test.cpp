@@ -15,7 +15,6 @@ TEST(ResponseMetric, IsTheLargerOfFrequencyAndMotion) {
   const ResponseMetric metric(2.0, 0.5);
   EXPECT_NEAR(metric(moving(1.0, 1.0), moving(1.0, 1.1)), 0.1 / std::sqrt(2.0) / 0.5, 1e-14);
   EXPECT_NEAR(metric(moving(1.0, 1.0), moving(2.0, 1.1)), 0.5, 1e-14);
-  EXPECT_NEAR(metric.across(moving(1.0, 1.0), moving(2.0, 1.1)), 0.5, 1e-14);
 }
 
 TEST(ResponseMetric, TakesTheContactThatIsFarthest) {
