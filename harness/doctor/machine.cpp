@@ -24,13 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-MachineProperty unknown(std::string name) {
-  return {.name = std::move(name), .value = "unknown", .known = false};
-}
-
 /// Unknown where the value is empty.
 MachineProperty property(std::string name, std::string value, bool good, std::string advice) {
-  if (value.empty()) return unknown(std::move(name));
+  if (value.empty()) return {.name = std::move(name), .value = "unknown", .known = false};
   return {.name = std::move(name),
           .value = std::move(value),
           .good = good,
@@ -46,17 +42,22 @@ MachineProperty governor(const fs::path& root) {
 MachineProperty turbo(const fs::path& root) {
   const std::string intel = first_line(root / "sys/devices/system/cpu/intel_pstate/no_turbo");
   const std::string boost = first_line(root / "sys/devices/system/cpu/cpufreq/boost");
-  if (intel.empty() && boost.empty()) return unknown("turbo");
   const bool on = intel.empty() ? boost == "1" : intel == "0";
-  return property("turbo", on ? "on" : "off", !on,
-                  "the clock frequency depends on temperature and on the other cores; switch turbo off");
+  return property("turbo",
+                  (intel + boost).empty() ? ""
+                  : on                    ? "on"
+                                          : "off",
+                  !on, "the clock frequency depends on temperature and on the other cores; switch turbo off");
 }
 
 MachineProperty simultaneous_threads(const fs::path& root) {
   const std::string active = first_line(root / "sys/devices/system/cpu/smt/active");
-  if (active.empty()) return unknown("simultaneous threads");
-  return property("simultaneous threads", active == "1" ? "on" : "off", active != "1",
-                  "two threads share a core and its caches; leave every second one idle");
+  const bool on = active == "1";
+  return property("simultaneous threads",
+                  active.empty() ? ""
+                  : on           ? "on"
+                                 : "off",
+                  !on, "two threads share a core and its caches; leave every second one idle");
 }
 
 MachineProperty clock_source(const fs::path& root) {
@@ -84,7 +85,7 @@ MachineProperty stolen_time(const fs::path& root) {
   std::vector<double> ticks;
   for (double value = 0.0; line >> value;) ticks.push_back(value);
   constexpr std::size_t kSteal = 7;
-  if (ticks.size() <= kSteal) return unknown("stolen time");
+  if (ticks.size() <= kSteal) return property("stolen time", "", true, "");
   double all = 0.0;
   for (std::size_t i = 0; i <= kSteal; ++i) all += ticks[i];
   const double percent = all > 0.0 ? 100.0 * ticks[kSteal] / all : 0.0;
@@ -94,10 +95,8 @@ MachineProperty stolen_time(const fs::path& root) {
 
 MachineProperty load(const fs::path& root) {
   const std::string line = first_line(root / "proc/loadavg");
-  if (line.empty()) return unknown("load");
   const double value = std::strtod(line.c_str(), nullptr);
-  constexpr double kIdle = 0.3;
-  return property("load", fmt::format("{:.2f} over the last minute", value), value < kIdle,
+  return property("load", line.empty() ? "" : fmt::format("{:.2f} over the last minute", value), value < 0.3,
                   "other processes are at work; stop them or wait");
 }
 
@@ -114,8 +113,7 @@ MachineProperty clock_resolution() {
     while (end == begin) end = Clock::now();
     least = std::min(least, std::chrono::duration<double>(end - begin).count());
   }
-  constexpr double kNanoseconds = 1e9, kCoarse = 1e-6;
-  return property("clock resolution", fmt::format("{:.0f} ns", kNanoseconds * least), least < kCoarse,
+  return property("clock resolution", fmt::format("{:.0f} ns", 1e9 * least), least < 1e-6,
                   "short work cannot be measured");
 }
 
@@ -130,11 +128,10 @@ MachineProperty repeatability() {
   std::vector<double> seconds;
   for (int i = 0; i < 100; ++i) seconds.push_back(seconds_of_fixed_work());
   const double middle = median(seconds), deviation = median_deviation(seconds) / middle;
-  constexpr double kQuiet = 0.02, kMilliseconds = 1e3;
   return property(
       "repeatability",
-      fmt::format("{:.1f} % of {:.3g} ms, the calibration solve", 100.0 * deviation, kMilliseconds * middle),
-      deviation < kQuiet, "equal work takes unequal times; see the other lines");
+      fmt::format("{:.1f} % of {:.3g} ms, the calibration solve", 100.0 * deviation, 1e3 * middle),
+      deviation < 0.02, "equal work takes unequal times; see the other lines");
 }
 
 MachineProperty usable_processors() {
@@ -188,12 +185,11 @@ MachineProperty other_work() {
   }
   const double seconds = static_cast<double>(all) / static_cast<double>(sysconf(_SC_CLK_TCK));
   const double share = seconds / std::chrono::duration<double>(kWatch).count();
-  constexpr double kQuiet = 0.05;
   return property("other processes",
                   busiest.empty()
                       ? "idle"
                       : fmt::format("{:.0f} % of a processor, most of it {}", 100.0 * share, busiest),
-                  share < kQuiet, "they take processor, cache and memory; stop them");
+                  share < 0.05, "they take processor, cache and memory; stop them");
 }
 
 }  // namespace

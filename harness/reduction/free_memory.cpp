@@ -55,8 +55,7 @@ double left_of_groups(const fs::path& mount, const std::string& group, const Gro
 }  // namespace
 
 double free_memory(const fs::path& root) {
-  constexpr double kKilobyte = 1024.0;
-  double least = kKilobyte * number_after(root / "proc/meminfo", "MemAvailable:", kUnbounded);
+  double least = 1024.0 * number_after(root / "proc/meminfo", "MemAvailable:", kUnbounded);
   // Lines "NUMBER:CONTROLLERS:GROUP"; of version 2 without controllers.
   std::ifstream groups(root / "proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {

@@ -11,8 +11,6 @@
 #include <map>
 #include <memory>
 #include <new>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "harness/failure.hpp"
@@ -22,11 +20,8 @@ namespace signorini {
 
 namespace {
 
-// What all ranks do together.
-enum class Step : int { end, create, analyse, measure, factorise, solve, destroy };
-
-constexpr int kInitialise = -1, kTerminate = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3;
-constexpr double kMegabyte = 1e6;
+// What all ranks do together; `solve` and those before it are jobs of MUMPS, by their numbers in its manual.
+enum class Step { terminate = -2, initialise, end, analyse, factorise, solve, create, measure, destroy };
 
 // One instance of MUMPS, in each rank its part. Numbers of controls and results as in its manual, from 1.
 class Mumps {
@@ -35,18 +30,17 @@ class Mumps {
     id_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_WORLD));
     id_.par = 1;  // rank 0 computes, too
     id_.sym = 1;  // positive definite
-    call(kInitialise);
-    constexpr int kColumnsAtOnce = 32;
+    call(Step::initialise);
     for (const int stream : {1, 2, 3}) control(stream) = -1;  // it prints nothing
     control(4) = 0;
-    control(27) = kColumnsAtOnce;
+    control(27) = 32;  // columns solved at once
   }
-  ~Mumps() { call(kTerminate); }
+  ~Mumps() { call(Step::terminate); }
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
 
-  void call(int job) {
-    id_.job = job;
+  void call(Step job) {
+    id_.job = static_cast<MUMPS_INT>(job);
     dmumps_c(&id_);
   }
   DMUMPS_STRUC_C& data() { return id_; }
@@ -55,7 +49,7 @@ class Mumps {
   [[nodiscard]] int detail() const { return id_.infog[1]; }
   [[nodiscard]] int negative_pivots() const { return id_.infog[11]; }
   // What the factorisation needs in this rank [bytes].
-  [[nodiscard]] double needed() const { return kMegabyte * id_.info[14]; }
+  [[nodiscard]] double needed() const { return 1e6 * id_.info[14]; }
   // Where they are more than an int counts, MUMPS tells them in millions, as a negative number.
   [[nodiscard]] double entries() const {
     const double told = id_.infog[28];
@@ -96,7 +90,6 @@ class Instances {
  public:
   // This rank's part of a step.
   Room take(Step step, int number) {
-    constexpr std::array kJob{0, 0, kAnalyse, 0, kFactorise, kSolve, 0};
     if (step == Step::create) {
       all_.emplace(number, std::make_unique<Mumps>());
     } else if (step == Step::destroy) {
@@ -104,7 +97,7 @@ class Instances {
     } else if (step == Step::measure) {
       return fullest_node(all_.at(number)->needed());
     } else {
-      all_.at(number)->call(kJob.at(static_cast<std::size_t>(step)));
+      all_.at(number)->call(step);
     }
     return {};
   }
@@ -208,7 +201,6 @@ class SharedFactors final : public DefiniteSolver {
   }
 
   void factorise(const SparseMatrix& A) {
-    constexpr double kGigabyte = 1e9;
     constexpr double kRounding = 1e-15;  // of A scaled to unit diagonal
     constexpr int kNotDefinite = -40, kSingular = -10, kMoreRoom = 2, kAttempts = 3;
     constexpr std::array kTooSmall{-8, -9, -17, -20};  // what it sets aside beyond its estimate, in percent
@@ -218,7 +210,7 @@ class SharedFactors final : public DefiniteSolver {
     if (room.share > 1.0) {
       throw UsageError(
           fmt::format("the factors need {:.1f} GB on a node where {:.1f} GB are free (more nodes are needed)",
-                      room.needed / kGigabyte, room.free / kGigabyte));
+                      1e-9 * room.needed, 1e-9 * room.free));
     }
     for (int attempt = 0; attempt < kAttempts; ++attempt, mumps().control(14) *= kMoreRoom) {
       leader_.all(Step::factorise, number_);
@@ -231,11 +223,10 @@ class SharedFactors final : public DefiniteSolver {
 
   // The size of the least one of A scaled to unit diagonal: by inverse iteration, from above, to a digit.
   [[nodiscard]] double least_eigenvalue(const SparseMatrix& A) {
-    constexpr int kIterations = 4;
     const Eigen::VectorXd size = A.diagonal().cwiseSqrt();
     Eigen::VectorXd x = Eigen::VectorXd::Random(A.rows());
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kIterations; ++i) {
+    for (int i = 0; i < 4; ++i) {
       x.normalize();
       const Eigen::VectorXd y = size.cwiseProduct(solve(Eigen::MatrixXd(size.cwiseProduct(x))).col(0));
       least = 1.0 / y.norm();

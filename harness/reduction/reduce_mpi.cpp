@@ -8,10 +8,8 @@
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <string>
 
 #include "harness/failure.hpp"
-#include "harness/plan/plan.hpp"
 #include "harness/reduction/mumps_solver.hpp"
 #include "harness/reduction/reduction_files.hpp"
 #include "harness/reduction/shared_reduction.hpp"

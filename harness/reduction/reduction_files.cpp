@@ -8,7 +8,6 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <utility>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
@@ -103,7 +102,6 @@ void require_scene_file(const fs::path& out) {
 }
 
 void require_room_for_factors(const std::string& scene, const SparseMatrix& stiffness, double room) {
-  constexpr double kGigabyte = 1e9;
   constexpr double kWhileMade = 1.3;  // of the factors, while they are made
   const auto size = static_cast<double>(stiffness.rows());
   const auto taken = [](double entries) { return sizeof(double) * kWhileMade * entries; };
@@ -120,7 +118,7 @@ void require_room_for_factors(const std::string& scene, const SparseMatrix& stif
   throw UsageError(fmt::format(
       "scene = {} (must have factors that fit into memory: they take {}{:.1f} GB and {:.1f} GB are free; "
       "--mpi N shares them between N processes)",
-      scene, least, needed / kGigabyte, room / kGigabyte));
+      scene, least, 1e-9 * needed, 1e-9 * room));
 }
 
 std::string write_reduction(const Scene& scene, const ReductionOrder& order, const Factorise& factorise) {

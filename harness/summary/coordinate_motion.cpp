@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <vector>
 
 #include "harness/judge/measures/contact_response.hpp"
 #include "harness/records/sampled_trajectory.hpp"
