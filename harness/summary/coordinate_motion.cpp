@@ -15,16 +15,9 @@ namespace signorini {
 
 namespace {
 
-/// Coordinates of a structure up to which a state at each instant costs little.
-constexpr int kMostEvaluated = 100;
-/// Harmonics whose largest tells how small those are that are left out: they fall at least as 1 / n^2.
-constexpr Eigen::Index kLastHarmonics = 16;
-/// Instants of a force that is known by samples, over those of the motion.
-constexpr int kFineInstants = 8;
-
-/// The force of an answer at many instants; at those of the motion where it has no more.
+/// The force of an answer at eight times the instants of the motion; at these where it has no more.
 Eigen::MatrixXd fine_force(const Trajectory& answer, const Motion& motion) {
-  const int instants = kFineInstants * motion.count();
+  const int instants = 8 * motion.count();
   const Samples fine = answer.sample(instants);
   return samples_defect(fine, instants, motion.samples.force.cols()).empty() ? fine.force
                                                                              : motion.samples.force;
@@ -44,7 +37,8 @@ double sine_over_n3(double angle) {
 CoordinateMotion::CoordinateMotion(const Problem& problem, const Trajectory& answer, const Motion& motion,
                                    std::span<const int> dofs)
     : base_frequency_(kTwoPi / motion.period()) {
-  if (problem.size() <= kMostEvaluated) exact_ = ExactMotion::of(problem, answer);
+  // A state at each instant costs little then.
+  if (problem.size() <= 100) exact_ = ExactMotion::of(problem, answer);
   for (std::size_t i = 0; exact_ && i < dofs.size(); ++i) {
     if (!exact_->knows(dofs[i])) continue;
     dofs_.push_back(dofs[i]);
@@ -102,8 +96,9 @@ void CoordinateMotion::respond(const Problem& problem, const Trajectory& answer,
     error_ = 2.0 * (coarse - u_).cwiseAbs().colwise().sum().maxCoeff();
   }
   take_out_kicks(problem, motion, dofs);
-  *error_ += static_cast<double>(harmonics) *
-             u_.bottomRows(std::min(kLastHarmonics, harmonics)).cwiseAbs().maxCoeff();
+  // The largest of the last harmonics tells how small those are that are left out.
+  const Eigen::Index last = std::min<Eigen::Index>(16, harmonics);
+  *error_ += static_cast<double>(harmonics) * u_.bottomRows(last).cwiseAbs().maxCoeff();
 }
 
 void CoordinateMotion::take_out_kicks(const Problem& problem, const Motion& motion,
