@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
@@ -51,13 +50,20 @@ std::vector<double> ordinates(const SolutionPoint& point, ResponseOrdinate ordin
 struct Vertex {
   const SolutionPoint* point = nullptr;
   bool special = false;
+  Measure ordinate = {};  ///< empty where the point does not keep it
+
+  [[nodiscard]] std::string line() const {
+    return fmt::format("{:.10g} {:.8g}\n", point->parameter, *ordinate);
+  }
 };
 
-/// Those of a branch that have a `number`-th ordinate, in their order.
+/// Those of a branch with their `number`-th ordinates, in their order; special ones that have one.
 std::vector<Vertex> vertices_of(const Branch& branch, ResponseOrdinate ordinate, std::size_t number) {
   std::vector<Vertex> vertices;
   const auto add = [&](const SolutionPoint& point, bool special) {
-    if (!special || ordinates(point, ordinate).size() > number) vertices.push_back({&point, special});
+    const std::vector<double> all = ordinates(point, ordinate);
+    const Measure own = number < all.size() ? Measure(all[number]) : Measure();
+    if (!special || own) vertices.push_back({&point, special, own});
   };
   auto special = branch.special.begin();
   for (std::size_t i = 0; i < branch.points.size(); ++i) {
@@ -79,18 +85,10 @@ std::string pieces_of(const Branch& branch, Stability part, ResponseOrdinate ord
   std::string lines;
   bool drawing = false;
   const std::vector<Vertex> vertices = vertices_of(branch, ordinate, number);
-  const auto add = [&](const Vertex& vertex) {
-    lines +=
-        fmt::format("{:.10g} {:.8g}\n", vertex.point->parameter, ordinates(*vertex.point, ordinate)[number]);
-  };
-  const auto is_drawn = [&](const Vertex& vertex) {
-    return ordinates(*vertex.point, ordinate).size() > number;
-  };
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
     const Vertex &from = vertices[i], &to = vertices[i + 1];
-    const bool belongs = is_drawn(from) && is_drawn(to) && part_between(from, to) == part;
-    if (belongs && !drawing) add(from);
-    if (belongs) add(to);
+    const bool belongs = from.ordinate && to.ordinate && part_between(from, to) == part;
+    if (belongs) lines += (drawing ? "" : from.line()) + to.line();
     if (drawing && !belongs) lines += "\n";
     drawing = belongs;
   }
@@ -141,12 +139,6 @@ std::string attractor_points(const std::vector<AttractorsAt>& all, ResponseOrdin
   }
   return lines;
 }
-
-constexpr std::string_view kResponseFrame = R"(set grid back lc rgb '#dddddd' lw 0.5
-set border 3
-set tics nomirror
-set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left reverse samplen 2 font ',8'
-)";
 
 // gnuplot's hollow marks.
 constexpr std::array kMarks{
@@ -201,21 +193,23 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
   const auto asked = responses.empty() ? std::nullopt : responses.front().asked;
   const std::string axis =
       asked ? fmt::format("set xrange [{:.10g}:{:.10g}]\n", asked->low, asked->high) : "";
-  constexpr double kUsualWidth = 16.0, kUsualPanel = 9.2, kNarrowPanel = 6.0, kAxis = 1.3;  // [cm]
-  const int columns = is_narrow(column) ? 1 : 3;
-  const double panel = is_narrow(column) ? kNarrowPanel : kUsualPanel;
-  const double key = key_height(entries, columns), height = panel + kAxis + key;
-  return {.name = "response",
-          .caption = "Response of " + scene,
-          .script = fmt::format(kResponseFrame, columns) + axis +
-                    fmt::format("set bmargin at screen {:.3f}\nset ylabel {}\nset xlabel {} "
-                                "noenhanced\nset title {} noenhanced\n{}",
-                                (kAxis + key) / height,
-                                amplitudes ? "'amplitude [m]'" : "'x at t = 0 of each forcing period [m]'",
-                                gnuplot_string(abscissa), gnuplot_string(scene), canvas.panel()),
-          .data = canvas.data(),
-          .width = width_in(column, kUsualWidth),
-          .height = height};
+  constexpr double kAxis = 1.3;  // [cm]
+  const bool narrow = is_narrow(column);
+  const int columns = narrow ? 1 : 3;  // of the key
+  const double key = key_height(entries, columns), height = (narrow ? 6.0 : 9.2) + kAxis + key;
+  return {
+      .name = "response",
+      .caption = "Response of " + scene,
+      .script = std::string(kFrame) +
+                fmt::format("set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left "
+                            "reverse samplen 2 font ',8'\n{}set bmargin at screen {:.3f}\nset ylabel {}\n"
+                            "set xlabel {} noenhanced\nset title {} noenhanced\n{}",
+                            columns, axis, (kAxis + key) / height,
+                            amplitudes ? "'amplitude [m]'" : "'x at t = 0 of each forcing period [m]'",
+                            gnuplot_string(abscissa), gnuplot_string(scene), canvas.panel()),
+      .data = canvas.data(),
+      .width = width_in(column, 16.0),
+      .height = height};
 }
 
 }  // namespace signorini

@@ -7,7 +7,7 @@
 
 #include "harness/report/document/section.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
-#include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/evaluation/case_result.hpp"
 
 namespace signorini {
 

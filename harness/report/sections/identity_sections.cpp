@@ -1,7 +1,5 @@
 // Methods that solve the same equations: one result each, however many rows.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,21 +8,16 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/outcome.hpp"
-#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/evaluation/case_result.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
 #include "harness/text/words.hpp"
+#include "methods/catalogue.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr std::string_view kText = R"(The methods of a row solve the same equations where their options are
-equal: their rows are one result, not two that confirm each other. With impact closure they
-also run the same algorithm: do not compare their times. Differences are relative, of the errors of x, over
-the cases that both solve on the same orbit. Same answers: the methods give the same answers to the last bit in every
-case, whatever they say of their equations.)";
 
 /// Cases of two methods with equal equations.
 struct Pairs {
@@ -78,11 +71,6 @@ void add_equal_answers(const Evaluation& evaluation, PairsByConfigurations& foun
   }
 }
 
-Cell difference_cell(const Pairs& pairs, double difference) {
-  if (pairs.differences.empty()) return {"none to compare", kNeverReached};
-  return {fmt::format("{:.1e}", difference), difference};
-}
-
 }  // namespace
 
 Sections identity_sections(const Evaluation& evaluation) {
@@ -96,16 +84,37 @@ Sections identity_sections(const Evaluation& evaluation) {
   }
   add_equal_answers(evaluation, found);
   Section section{.id = "equal-equations", .title = "Equal equations"};
-  section.text = kText;
+  section.text = R"(The methods of a row solve the same equations where their options are
+equal: their rows are one result, not two that confirm each other. With impact closure they
+also run the same algorithm: do not compare their times. Differences are relative, of the errors of x, over
+the cases that both solve on the same orbit. Same answers: the methods give the same answers to the last bit in every
+case, whatever they say of their equations.)";
   section.table.header = split(
       "method|same equations as|cases|solved by one alone|on two orbits|median difference|largest difference",
       '|');
   for (const auto& [methods, pairs] : found) {
-    const auto& d = pairs.differences;
+    const std::vector<double>& d = pairs.differences;
+    const auto difference = [&](const auto& of) {
+      return number_cell(d.empty() ? Measure() : of(d), "{:.1e}", "none to compare");
+    };
     section.table.rows.push_back({methods.first, methods.second, count_cell(pairs.cases),
                                   count_cell(pairs.one_alone), count_cell(pairs.other_orbits),
-                                  difference_cell(pairs, d.empty() ? 0.0 : median(d)),
-                                  difference_cell(pairs, d.empty() ? 0.0 : std::ranges::max(d))});
+                                  difference(median), difference(std::ranges::max)});
+  }
+  return {std::move(section)};
+}
+
+Sections limit_sections(const Evaluation& evaluation) {
+  Section section{.id = "limits", .title = "Limits of the methods"};
+  section.text =
+      "The laws of the stop that each method of this run can represent (`restitution`: a rigid stop, "
+      "`penalty`: a spring, `massless`: contacts without mass), and what it cannot do. Options may change "
+      "both: `signorini show METHOD`.";
+  section.table.header = {"method", "laws", "limits"};
+  for (const MethodEntry& entry : method_catalogue()) {
+    const bool is_run = std::ranges::any_of(
+        evaluation.results(), [&](const CaseResult& result) { return result.choice->method == entry.name; });
+    if (is_run && !entry.limits.empty()) section.table.rows.push_back({entry.name, entry.laws, entry.limits});
   }
   return {std::move(section)};
 }

@@ -4,7 +4,7 @@
 
 #include "harness/files.hpp"
 #include "harness/schematic/schematic.hpp"
-#include "harness/schematic/svg.hpp"
+#include "harness/schematic/drawing.hpp"
 #include "problems/scene/scene_layout.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "harness/report/page/response_parts.hpp"
+#include "harness/report/page/page_parts.hpp"
 
 #include <gtest/gtest.h>
 
