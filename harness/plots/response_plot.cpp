@@ -147,6 +147,36 @@ constexpr std::array kMarks{
     std::pair{SpecialKind::phase_resonance, 8}, std::pair{SpecialKind::grazing, 2},
     std::pair{SpecialKind::contact_change, 1}};
 
+/// Curves, and how many of them have an entry in the key.
+struct KeyedCanvas : Canvas {
+  std::size_t entries = 0;
+
+  void draw(const std::string& lines, const std::string& how) {
+    entries += lines.empty() || how.ends_with("notitle") ? 0U : 1U;
+    Canvas::draw(lines, how);
+  }
+};
+
+/// The parts of its branches by their stability, one of the stable and unknown ones with a title; its steps.
+void draw_method(const MethodResponse& response, const std::string& colour, ResponseOrdinate ordinate,
+                 KeyedCanvas& canvas) {
+  const std::string name = name_with_law(response), title = "title " + gnuplot_string(name);
+  bool titled = false;
+  for (const auto& [part, style] :
+       {std::pair{Stability::stable, "lw 2.4"}, std::pair{Stability::unstable, "lw 1.2 dt (12,8)"},
+        std::pair{Stability::unknown, "lw 1"}}) {
+    const bool unstable = part == Stability::unstable;
+    const std::string lines = pieces(response.diagram, part, ordinate);
+    const std::string words = unstable ? "title " + gnuplot_string(name + ", unstable")
+                              : titled ? "notitle"
+                                       : title;
+    canvas.draw(lines, fmt::format("with lines {} {} {}", colour, style, words));
+    titled = titled || (!lines.empty() && !unstable);
+  }
+  if (ordinate == ResponseOrdinate::amplitude)
+    canvas.draw(steps(response.steps), fmt::format("with points {} pt 6 ps 0.5 {}", colour, title));
+}
+
 }  // namespace
 
 Figure response_plot(const std::string& scene, const std::vector<MethodResponse>& responses,
@@ -157,46 +187,24 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
                            : parameter.empty() ? std::string(kFrequency)
                                                : parameter;
   const std::string abscissa = over == kFrequency ? "frequency of the load [rad/s]" : over;
-  Canvas canvas;
-  std::size_t entries = 0;  // of the key
-  const auto draw = [&](const std::string& lines, const std::string& how) {
-    entries += lines.empty() || how.ends_with("notitle") ? 0U : 1U;
-    canvas.draw(lines, how);
-  };
-  draw(attractor_points(attractors, ordinate, false),
-       "with points lc rgb '#b03030' pt 7 ps 0.25 title 'goes to: irregular or a torus'");
-  draw(attractor_points(attractors, ordinate, true),
-       "with points lc rgb '#303030' pt 6 ps 0.4 title 'goes to: periodic'");
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    const MethodResponse& response = responses[i];
-    const std::string colour = line_colour(i);
-    const std::string title = gnuplot_string(name_with_law(response));
-    bool titled = false;
-    for (const auto& [part, style] :
-         {std::pair{Stability::stable, "lw 2.4"}, std::pair{Stability::unstable, "lw 1.2 dt (12,8)"},
-          std::pair{Stability::unknown, "lw 1"}}) {
-      const std::string lines = pieces(response.diagram, part, ordinate);
-      const std::string words = part == Stability::unstable
-                                    ? "title " + gnuplot_string(name_with_law(response) + ", unstable")
-                                : titled ? "notitle"
-                                         : "title " + title;
-      draw(lines, fmt::format("with lines {} {} {}", colour, style, words));
-      titled = titled || (!lines.empty() && part != Stability::unstable);
-    }
-    if (amplitudes)
-      draw(steps(response.steps), fmt::format("with points {} pt 6 ps 0.5 title {}", colour, title));
-  }
+  KeyedCanvas canvas;
+  canvas.draw(attractor_points(attractors, ordinate, false),
+              "with points lc rgb '#b03030' pt 7 ps 0.25 title 'goes to: irregular or a torus'");
+  canvas.draw(attractor_points(attractors, ordinate, true),
+              "with points lc rgb '#303030' pt 6 ps 0.4 title 'goes to: periodic'");
+  for (std::size_t i = 0; i < responses.size(); ++i)
+    draw_method(responses[i], line_colour(i), ordinate, canvas);
   for (const auto& [kind, mark] : kMarks)
     if (amplitudes)
-      draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}", mark,
-                                               gnuplot_string(describe(kind))));
+      canvas.draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}",
+                                                      mark, gnuplot_string(describe(kind))));
   const auto asked = responses.empty() ? std::nullopt : responses.front().asked;
   const std::string axis =
       asked ? fmt::format("set xrange [{:.10g}:{:.10g}]\n", asked->low, asked->high) : "";
   constexpr double kAxis = 1.3;  // [cm]
   const bool narrow = is_narrow(column);
   const int columns = narrow ? 1 : 3;  // of the key
-  const double key = key_height(entries, columns), height = (narrow ? 6.0 : 9.2) + kAxis + key;
+  const double key = key_height(canvas.entries, columns), height = (narrow ? 6.0 : 9.2) + kAxis + key;
   return {
       .name = "response",
       .caption = "Response of " + scene,

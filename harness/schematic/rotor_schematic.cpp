@@ -108,7 +108,7 @@ void draw_cut_stator(Drawing& drawing, double x) {
 }
 
 /// "5 N/m and 2 N s/m".
-std::string element_text(double stiffness, double damping) {
+std::string constants_text(double stiffness, double damping) {
   return fmt::format("{} N/m and {} N s/m", number_text(stiffness), number_text(damping));
 }
 
@@ -127,7 +127,7 @@ std::string draw_model(Drawing& drawing, const Problem& problem, const Rotor& ro
   const Stator stator = rings.empty() ? Stator() : rings.begin()->second;
   if (!stator.empty()) draw_cut_stator(drawing, kDisc);
   draw_end_view(drawing, problem, {kLength + 2.9, 0.0}, stator, 0, 1);
-  return fmt::format("support {} in all directions{}", element_text(rotor.stiffness, rotor.damping),
+  return fmt::format("support {} in all directions{}", constants_text(rotor.stiffness, rotor.damping),
                      facets_text(stator.size()));
 }
 
@@ -149,7 +149,7 @@ std::string draw_model(Drawing& drawing, const Problem& problem, const Shaft& sh
                 plane, 2);
   return fmt::format("flexible shaft, {}, {}; bearings {}{}", elements_text(shaft.beam.elements),
                      range_text(shaft.beam.length, shaft.beam.length, "m"),
-                     element_text(shaft.bearing_stiffness, shaft.bearing_damping), facets_text(facets));
+                     constants_text(shaft.bearing_stiffness, shaft.bearing_damping), facets_text(facets));
 }
 
 }  // namespace signorini

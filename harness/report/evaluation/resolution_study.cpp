@@ -78,6 +78,16 @@ std::string answers_of(const ResolutionStudy& study) {
   return text;
 }
 
+std::string answers_of(const std::vector<const ResolutionStudy*>& studies) {
+  std::string text;
+  for (const ResolutionStudy* study : studies) {
+    const std::string answers = answers_of(*study);
+    if (answers.empty() && claimed_runs(*study) > 0) return {};
+    if (!answers.empty()) text += study->scene + " " + answers;
+  }
+  return text;
+}
+
 std::string label_of(const ResolutionStudy& study) {
   const RepresentedLaw* law = study.runs.front().result->law;
   if (study.eligibility != Eligibility::another_law || law == nullptr) return study.configuration;
@@ -86,6 +96,11 @@ std::string label_of(const ResolutionStudy& study) {
 
 std::ptrdiff_t solved_runs(const ResolutionStudy& study) {
   return std::ranges::count_if(study.runs, [](const ScoredRun& run) { return run.error.has_value(); });
+}
+
+std::ptrdiff_t claimed_runs(const ResolutionStudy& study) {
+  return std::ranges::count_if(
+      study.runs, [](const ScoredRun& run) { return claim_of(run.result->outcome).has_value(); });
 }
 
 std::vector<ResolutionStudy> resolution_studies(const std::vector<CaseResult>& results) {

@@ -61,11 +61,16 @@ bool has_equations_of(const CaseChoice& a, const CaseChoice& b);
 /// digest.
 std::string answers_of(const ResolutionStudy& study);
 
+/// The same of several studies, scene by scene.
+std::string answers_of(const std::vector<const ResolutionStudy*>& studies);
+
 /// Its configuration, with the law that it represents where that is not the scene's.
 std::string label_of(const ResolutionStudy& study);
 
 /// How many of its runs have an error.
 std::ptrdiff_t solved_runs(const ResolutionStudy& study);
+/// How many of its runs claim to have converged (claim_of).
+std::ptrdiff_t claimed_runs(const ResolutionStudy& study);
 
 /// A result with its error.
 ScoredRun scored_run(const CaseResult& result);

@@ -48,16 +48,6 @@ struct Contestant {
   Standing standing;
   std::vector<const ResolutionStudy*> studies = {};
 
-  /// All answers, scene by scene; empty where one of them is not known.
-  [[nodiscard]] std::string answers() const {
-    std::string text;
-    for (const ResolutionStudy* study : studies) {
-      const std::string of_scene = answers_of(*study);
-      if (of_scene.empty() && solved_runs(*study) > 0) return {};
-      if (!of_scene.empty()) text += study->scene + " " + of_scene;
-    }
-    return text;
-  }
   /// Whether its equations are those of another one wherever it has an answer.
   [[nodiscard]] bool has_equations_of(const Contestant& other) const {
     bool any = false;
@@ -87,7 +77,7 @@ void join_equal_results(std::vector<Contestant>& contestants) {
   std::vector<Contestant> joined;
   std::map<std::string, std::size_t> places;  // of answers
   for (Contestant& contestant : contestants) {
-    const std::string answers = contestant.answers();
+    const std::string answers = answers_of(contestant.studies);
     const auto known = answers.empty() ? places.end() : places.find(answers);
     const auto is_same = [&](const Contestant& other) {
       return ranking_reach(other.standing).scenes == ranking_reach(contestant.standing).scenes &&

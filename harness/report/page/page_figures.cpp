@@ -1,14 +1,12 @@
-#include "harness/report/page/page_figures.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "harness/plan/plan.hpp"
-#include "harness/report/document/cells.hpp"
 #include "harness/report/figures/drawn_waveform.hpp"
-#include "harness/schematic/schematic.hpp"
+#include "harness/report/page/page_parts.hpp"
 #include "harness/schematic/drawing.hpp"
+#include "harness/schematic/schematic.hpp"
 #include "harness/text/words.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"

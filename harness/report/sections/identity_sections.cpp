@@ -44,30 +44,21 @@ using PairsByConfigurations = std::map<std::pair<std::string, std::string>, Pair
 /// Adds pairs of configurations that nothing is said of, with the same answers to the last bit on every
 /// scene.
 void add_equal_answers(const Evaluation& evaluation, PairsByConfigurations& found) {
-  struct Answers {
-    std::string text = {};
-    int cases = 0;
-    bool known = true;
-  };
-  std::map<std::string, Answers> by_configuration;
-  for (const ResolutionStudy& study : evaluation.studies()) {
-    Answers& own = by_configuration[study.configuration];
-    const std::string answers = answers_of(study);
-    const auto claims = std::ranges::count_if(
-        study.runs, [](const ScoredRun& run) { return claim_of(run.result->outcome).has_value(); });
-    own.known = own.known && (claims == 0 || !answers.empty());
-    own.cases += static_cast<int>(claims);
-    if (claims > 0) own.text += study.scene + " " + answers;
-  }
-  std::map<std::string_view, std::string> first;  // with these answers
-  for (const auto& [configuration, own] : by_configuration) {
-    if (!own.known || own.cases == 0) continue;
-    const auto [place, fresh] = first.try_emplace(own.text, configuration);
+  std::map<std::string, std::vector<const ResolutionStudy*>> by_configuration;
+  for (const ResolutionStudy& study : evaluation.studies())
+    by_configuration[study.configuration].push_back(&study);
+  std::map<std::string, std::string> first;  // with these answers
+  for (const auto& [configuration, studies] : by_configuration) {
+    const std::string answers = answers_of(studies);
+    if (answers.empty()) continue;
+    const auto [place, fresh] = first.try_emplace(answers, configuration);
     if (fresh || found.contains({configuration, place->second}) ||
         found.contains({place->second, configuration}))
       continue;
+    std::ptrdiff_t cases = 0;
+    for (const ResolutionStudy* study : studies) cases += claimed_runs(*study);
     found[{configuration, place->second + " (same answers)"}] = {
-        .cases = own.cases, .differences = std::vector<double>(static_cast<std::size_t>(own.cases), 0.0)};
+        .cases = static_cast<int>(cases), .differences = std::vector(static_cast<std::size_t>(cases), 0.0)};
   }
 }
 
