@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "harness/report/figures/canvas.hpp"
-
 namespace signorini {
 
 namespace {
@@ -28,21 +26,27 @@ std::vector<DrawnStop> stops_of(const Problem& problem, int contact) {
   return stops;
 }
 
-double range_with(const std::vector<double>& x, const std::vector<DrawnStop>& stops) {
+Eigen::Index liveliest(const Samples& motion) {
+  Eigen::Index contact = 0;
+  (motion.x.colwise().maxCoeff() - motion.x.colwise().minCoeff()).maxCoeff(&contact);
+  return contact;
+}
+
+std::string abscissa_commands(std::span<const double> x, const std::vector<DrawnStop>& stops, int most_tics) {
   auto [least, largest] = std::ranges::minmax(x);
+  std::string walls;
   for (const DrawnStop& stop : stops) {
     least = std::min(least, stop.place);
     largest = std::max(largest, stop.place);
+    walls += fmt::format("set arrow from {0:.10g}, graph 0 to {0:.10g}, graph 1 nohead {1}\n", stop.place,
+                         kStopStyle);
   }
-  return largest - least;
+  return fmt::format("set xtics {:g}\n", tic_step(largest - least, most_tics)) + walls;
 }
 
-std::string wall_commands(const std::vector<DrawnStop>& stops) {
-  std::string script;
+void draw_stops(const std::vector<DrawnStop>& stops, Canvas& canvas) {
   for (const DrawnStop& stop : stops)
-    script += fmt::format("set arrow from {0:.10g}, graph 0 to {0:.10g}, graph 1 nohead {1}\n", stop.place,
-                          kStopStyle);
-  return script;
+    canvas.plot(fmt::format("{:.10g} with lines {}", stop.place, kStopStyle));
 }
 
 }  // namespace signorini

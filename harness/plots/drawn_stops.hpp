@@ -1,9 +1,13 @@
 #pragma once
 // The stops that are drawn with the motion of a contact.
 
+#include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "harness/report/figures/gnuplot.hpp"
+#include "methods/solution.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
@@ -18,11 +22,14 @@ struct DrawnStop {
 /// moves between two walls.
 std::vector<DrawnStop> stops_of(const Problem& problem, int contact);
 
-/// Largest less least of values and stops [m].
-double range_with(const std::vector<double>& x, const std::vector<DrawnStop>& stops);
+/// The contact whose displacement has the largest range.
+Eigen::Index liveliest(const Samples& motion);
 
-/// Commands of gnuplot that draw them upright in a panel over x, in front of which `unset arrow` removes
-/// them.
-std::string wall_commands(const std::vector<DrawnStop>& stops);
+/// Commands of gnuplot for a panel over x [m]: at most so many tics over all values and stops, the stops as
+/// walls, in front of which `unset arrow` removes them.
+std::string abscissa_commands(std::span<const double> x, const std::vector<DrawnStop>& stops, int most_tics);
+
+/// Draws stops across a panel over time.
+void draw_stops(const std::vector<DrawnStop>& stops, Canvas& canvas);
 
 }  // namespace signorini

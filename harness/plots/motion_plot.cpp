@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "harness/plots/drawn_stops.hpp"
-#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/drawn_waveform.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
@@ -22,16 +21,6 @@ std::string motion_block(const Waveform& motion, std::size_t place) {
   return lines;
 }
 
-/// The contact with the largest impulse over the period, by its place among those kept.
-std::size_t busiest(const Waveform& motion) {
-  const auto total = [](const std::vector<double>& impulse) {
-    return impulse.empty() ? 0.0 : impulse.back();
-  };
-  return static_cast<std::size_t>(std::ranges::min_element(motion.impulse, {}, total) -
-                                  motion.impulse.begin());
-}
-
-constexpr int kPortraitTics = 5;
 /// Instants of the impacts on these stops within the motion drawn [s], and where they are [m].
 std::string impact_lines(const Record& record, const std::vector<DrawnStop>& stops) {
   std::string lines;
@@ -43,18 +32,10 @@ std::string impact_lines(const Record& record, const std::vector<DrawnStop>& sto
   return lines;
 }
 
-constexpr std::string_view kMotionFrame = R"(set multiplot layout {},{} title {} noenhanced
-set grid back lc rgb '#dddddd' lw 0.5
-set border 3
-set tics nomirror font ',8'
-set offsets 0, 0, graph 0.05, graph 0.05
-unset key
-)";
-
 }  // namespace
 
 Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& waveforms, Column column) {
-  const std::size_t place = busiest(waveforms.answer);
+  const std::size_t place = busiest_place(waveforms.answer);
   const int contact = waveforms.contacts[place];
   const std::vector<DrawnStop> stops = stops_of(scene.problem, contact);
   Canvas canvas;
@@ -73,19 +54,20 @@ Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& wa
     canvas.plot(below, fmt::format("using 1:{} with lines lc rgb '#bbbbbb' lw 5", column));
     canvas.plot(above, fmt::format("using 1:{} with lines lc rgb '#0072B2' lw 1.6", column));
   };
-  constexpr double kUsualWidth = 17.0, kHeight = 13.0, kNarrowHeight = 20.0;  // [cm]
   const bool narrow = is_narrow(column);  // then the four panels stand below each other
   Figure figure{.name = "motion",
                 .caption = record.case_id,
-                .width = width_in(column, kUsualWidth),
-                .height = narrow ? kNarrowHeight : kHeight};
+                .width = width_in(column, 17.0),
+                .height = narrow ? 20.0 : 13.0};
   const std::string title = fmt::format("{}, contact {}{}", record.case_id, contact,
                                         orbit && !narrow ? " (broad: the certified orbit)" : "");
-  figure.script = fmt::format(kMotionFrame, narrow ? 4 : 2, narrow ? 1 : 2, gnuplot_string(title));
-  figure.script += fmt::format("set xrange [0:{:.8g}]\nset xlabel 't [s]'\nset ylabel 'x [m]'\n",
-                               waveforms.answer.t.back());
-  for (const DrawnStop& stop : stops)
-    canvas.plot(fmt::format("{:.10g} with lines {}", stop.place, kStopStyle));
+  figure.script =
+      panels(narrow ? 4 : 2, narrow ? 1 : 2, fmt::format(" title {} noenhanced", gnuplot_string(title))) +
+      fmt::format(
+          "set offsets 0, 0, graph 0.05, graph 0.05\nset xrange [0:{:.8g}]\nset xlabel 't [s]'\n"
+          "set ylabel 'x [m]'\n",
+          waveforms.answer.t.back());
+  draw_stops(stops, canvas);
   draw(orbit, answer, 2);
   canvas.plot(impacts, "with points lc rgb '#D55E00' pt 7 ps 0.7");
   figure.script += canvas.panel();
@@ -95,10 +77,9 @@ Figure motion_plot(const Scene& scene, const Record& record, const Waveforms& wa
   figure.script += "set ylabel 'impulse so far [N s]'\n" + canvas.panel();
   draw(orbit_portrait, portrait, 2);
   figure.script += fmt::format(
-      "set xrange [*:*]\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nset xtics {:g}\n"
-      "set xlabel 'x [m]'\nset ylabel 'velocity [m/s]'\n{}{}unset multiplot\n",
-      tic_step(range_with(waveforms.answer.x[place], stops), kPortraitTics), wall_commands(stops),
-      canvas.panel());
+      "set xrange [*:*]\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n{}set xlabel 'x [m]'\n"
+      "set ylabel 'velocity [m/s]'\n{}unset multiplot\n",
+      abscissa_commands(waveforms.answer.x[place], stops, 5), canvas.panel());
   figure.data = canvas.data();
   return figure;
 }

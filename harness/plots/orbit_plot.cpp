@@ -4,27 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <span>
 
 #include "harness/failure.hpp"
 #include "harness/plots/drawn_stops.hpp"
-#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr std::size_t kMostPortraits = 12;
-constexpr int kDrawnInstants = 2048;
 constexpr int kTics = 4;
-
-/// The contact whose displacement has the largest range.
-Eigen::Index liveliest(const Samples& motion) {
-  Eigen::Index contact = 0;
-  (motion.x.colwise().maxCoeff() - motion.x.colwise().minCoeff()).maxCoeff(&contact);
-  return contact;
-}
 
 std::string portrait_block(const Samples& motion, Eigen::Index contact) {
   std::string lines;
@@ -37,24 +27,11 @@ std::string portrait_block(const Samples& motion, Eigen::Index contact) {
 
 std::string title_of(const FoundOrbit& orbit) {
   const std::string word = stability_word(orbit.certified.stable, orbit.certified.undefined);
-  const std::string stability = word.empty()          ? "stability unknown"
-                                : word == "undefined" ? "stability undefined"
-                                                      : word;
-  return fmt::format("{}: order {}, {}", orbit.fingerprint, orbit.order, stability);
+  return fmt::format("{}: order {}, {}", orbit.fingerprint, orbit.order,
+                     word.empty()          ? "stability unknown"
+                     : word == "undefined" ? "stability undefined"
+                                           : word);
 }
-
-constexpr int kSummaryPanels = 2;  // multipliers, starts
-
-constexpr std::string_view kOrbitFrame = R"(set multiplot layout {},{}
-set grid back lc rgb '#dddddd' lw 0.5
-set border 3
-set tics nomirror font ',8'
-set title font ',8'
-unset key
-set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
-set xlabel 'x [m]' font ',8'
-set ylabel 'velocity [m/s]' font ',8'
-)";
 
 /// The Floquet multipliers of all orbits in the complex plane, each in the colour of its portrait: an orbit
 /// is unstable where one of them lies outside the circle.
@@ -72,10 +49,9 @@ std::string multiplier_panel(const std::vector<FoundOrbit>& orbits, Canvas& canv
   }
   return fmt::format(
       "set title 'Floquet multipliers'\nset xlabel 'real part'\nset ylabel 'imaginary part'\nset "
-      "parametric\nset size ratio -1\nset "
-      "xrange [{0:.3g}:{1:.3g}]\nset yrange [{0:.3g}:{1:.3g}]\nset xtics {3:g}\nset ytics {3:g}\n{2}unset "
-      "parametric\nset size noratio\nset xrange [*:*]\nset yrange [*:*]\nset xtics autofreq\nset ytics "
-      "autofreq\n",
+      "parametric\nset size ratio -1\nset xrange [{0:.3g}:{1:.3g}]\nset yrange [{0:.3g}:{1:.3g}]\nset xtics "
+      "{3:g}\nset ytics {3:g}\n{2}unset parametric\nset size noratio\nset xrange [*:*]\nset yrange "
+      "[*:*]\nset xtics autofreq\nset ytics autofreq\n",
       -1.1 * reach, 1.1 * reach, canvas.panel(), tic_step(2.2 * reach, kTics));
 }
 
@@ -95,8 +71,7 @@ std::string basin_panel(const std::vector<FoundOrbit>& orbits, Canvas& canvas) {
     names += fmt::format("{}{} {}", names.empty() ? "" : ", ", gnuplot_string(orbits[i].fingerprint), i);
   }
   return fmt::format(
-      "set title 'starts (hollow: unstable)'\nset xlabel 'orbit'\nset ylabel 'share of starts "
-      "[%]'\nset "
+      "set title 'starts (hollow: unstable)'\nset xlabel 'orbit'\nset ylabel 'share of starts [%]'\nset "
       "xtics rotate by -35 ({}) font ',6'\nset xrange [-0.7:{}.7]\nset yrange [0:*]\n{}",
       names, orbits.size() - 1, canvas.panel());
 }
@@ -104,26 +79,27 @@ std::string basin_panel(const std::vector<FoundOrbit>& orbits, Canvas& canvas) {
 }  // namespace
 
 Figure orbit_plot(const Problem& problem, const std::vector<FoundOrbit>& orbits, Column column) {
+  constexpr std::size_t kMostPortraits = 12;
+  constexpr int kInstants = 2048;  // of a forcing period
   if (orbits.empty() || problem.contacts.empty())
     throw UsageError("plot = nothing to draw (there is no orbit)");
-  const std::size_t count = std::min(orbits.size(), kMostPortraits);
-  const auto panels = static_cast<int>(count) + kSummaryPanels;
-  constexpr double kPanelWidth = 6.5, kPanelHeight = 5.5;  // [cm]
-  const int columns = std::min(panels, is_narrow(column) ? 1 : 3), rows = (panels + columns - 1) / columns;
-  Figure figure{
-      .name = "orbits", .width = width_in(column, kPanelWidth * columns), .height = kPanelHeight * rows};
-  figure.script = fmt::format(kOrbitFrame, rows, columns);
+  const std::span<const FoundOrbit> shown = std::span(orbits).first(std::min(orbits.size(), kMostPortraits));
+  const auto count = static_cast<int>(shown.size()) + 2;  // with multipliers and starts
+  const int columns = std::min(count, is_narrow(column) ? 1 : 3), rows = (count + columns - 1) / columns;
+  Figure figure{.name = "orbits", .width = width_in(column, 6.5 * columns), .height = 5.5 * rows};
+  figure.script = panels(rows, columns) +
+                  "set title font ',8'\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
+                  "set xlabel 'x [m]' font ',8'\nset ylabel 'velocity [m/s]' font ',8'\n";
   Canvas canvas;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Samples motion = orbits[i].certified.motion->sample(kDrawnInstants * orbits[i].order);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const Samples motion = shown[i].certified.motion->sample(kInstants * shown[i].order);
     const Eigen::Index contact = liveliest(motion);
     canvas.draw(portrait_block(motion, contact), fmt::format("with lines {} lw 1.4", line_colour(i)),
                 "x [m], velocity [m/s]");
-    const std::vector<DrawnStop> stops = stops_of(problem, static_cast<int>(contact));
-    const Eigen::VectorXd x = motion.x.col(contact);
+    const std::span x(motion.x.col(contact).data(), static_cast<std::size_t>(motion.x.rows()));
     figure.script += fmt::format(
-        "set title {} noenhanced\nset xtics {:g}\n{}{}unset arrow\n", gnuplot_string(title_of(orbits[i])),
-        tic_step(range_with({x.begin(), x.end()}, stops), kTics), wall_commands(stops), canvas.panel());
+        "set title {} noenhanced\n{}{}unset arrow\n", gnuplot_string(title_of(shown[i])),
+        abscissa_commands(x, stops_of(problem, static_cast<int>(contact)), kTics), canvas.panel());
   }
   figure.script += "set offsets 0, 0, 0, 0\n" + multiplier_panel(orbits, canvas) +
                    basin_panel(orbits, canvas) + "unset multiplot\n";

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
 namespace signorini {
@@ -51,13 +50,20 @@ std::vector<double> ordinates(const SolutionPoint& point, ResponseOrdinate ordin
 struct Vertex {
   const SolutionPoint* point = nullptr;
   bool special = false;
+  Measure ordinate = {};  ///< empty where the point does not keep it
+
+  [[nodiscard]] std::string line() const {
+    return fmt::format("{:.10g} {:.8g}\n", point->parameter, *ordinate);
+  }
 };
 
-/// Those of a branch that have a `number`-th ordinate, in their order.
+/// Those of a branch with their `number`-th ordinates, in their order; special ones that have one.
 std::vector<Vertex> vertices_of(const Branch& branch, ResponseOrdinate ordinate, std::size_t number) {
   std::vector<Vertex> vertices;
   const auto add = [&](const SolutionPoint& point, bool special) {
-    if (!special || ordinates(point, ordinate).size() > number) vertices.push_back({&point, special});
+    const std::vector<double> all = ordinates(point, ordinate);
+    const Measure own = number < all.size() ? Measure(all[number]) : Measure();
+    if (!special || own) vertices.push_back({&point, special, own});
   };
   auto special = branch.special.begin();
   for (std::size_t i = 0; i < branch.points.size(); ++i) {
@@ -79,18 +85,10 @@ std::string pieces_of(const Branch& branch, Stability part, ResponseOrdinate ord
   std::string lines;
   bool drawing = false;
   const std::vector<Vertex> vertices = vertices_of(branch, ordinate, number);
-  const auto add = [&](const Vertex& vertex) {
-    lines +=
-        fmt::format("{:.10g} {:.8g}\n", vertex.point->parameter, ordinates(*vertex.point, ordinate)[number]);
-  };
-  const auto is_drawn = [&](const Vertex& vertex) {
-    return ordinates(*vertex.point, ordinate).size() > number;
-  };
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
     const Vertex &from = vertices[i], &to = vertices[i + 1];
-    const bool belongs = is_drawn(from) && is_drawn(to) && part_between(from, to) == part;
-    if (belongs && !drawing) add(from);
-    if (belongs) add(to);
+    const bool belongs = from.ordinate && to.ordinate && part_between(from, to) == part;
+    if (belongs) lines += (drawing ? "" : from.line()) + to.line();
     if (drawing && !belongs) lines += "\n";
     drawing = belongs;
   }
@@ -142,18 +140,42 @@ std::string attractor_points(const std::vector<AttractorsAt>& all, ResponseOrdin
   return lines;
 }
 
-constexpr std::string_view kResponseFrame = R"(set grid back lc rgb '#dddddd' lw 0.5
-set border 3
-set tics nomirror
-set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left reverse samplen 2 font ',8'
-)";
-
 // gnuplot's hollow marks.
 constexpr std::array kMarks{
     std::pair{SpecialKind::fold, 10},           std::pair{SpecialKind::period_doubling, 4},
     std::pair{SpecialKind::neimark_sacker, 12}, std::pair{SpecialKind::branch_point, 6},
     std::pair{SpecialKind::phase_resonance, 8}, std::pair{SpecialKind::grazing, 2},
     std::pair{SpecialKind::contact_change, 1}};
+
+/// Curves, and how many of them have an entry in the key.
+struct KeyedCanvas : Canvas {
+  std::size_t entries = 0;
+
+  void draw(const std::string& lines, const std::string& how) {
+    entries += lines.empty() || how.ends_with("notitle") ? 0U : 1U;
+    Canvas::draw(lines, how);
+  }
+};
+
+/// The parts of its branches by their stability, one of the stable and unknown ones with a title; its steps.
+void draw_method(const MethodResponse& response, const std::string& colour, ResponseOrdinate ordinate,
+                 KeyedCanvas& canvas) {
+  const std::string name = name_with_law(response), title = "title " + gnuplot_string(name);
+  bool titled = false;
+  for (const auto& [part, style] :
+       {std::pair{Stability::stable, "lw 2.4"}, std::pair{Stability::unstable, "lw 1.2 dt (12,8)"},
+        std::pair{Stability::unknown, "lw 1"}}) {
+    const bool unstable = part == Stability::unstable;
+    const std::string lines = pieces(response.diagram, part, ordinate);
+    const std::string words = unstable ? "title " + gnuplot_string(name + ", unstable")
+                              : titled ? "notitle"
+                                       : title;
+    canvas.draw(lines, fmt::format("with lines {} {} {}", colour, style, words));
+    titled = titled || (!lines.empty() && !unstable);
+  }
+  if (ordinate == ResponseOrdinate::amplitude)
+    canvas.draw(steps(response.steps), fmt::format("with points {} pt 6 ps 0.5 {}", colour, title));
+}
 
 }  // namespace
 
@@ -165,57 +187,37 @@ Figure response_plot(const std::string& scene, const std::vector<MethodResponse>
                            : parameter.empty() ? std::string(kFrequency)
                                                : parameter;
   const std::string abscissa = over == kFrequency ? "frequency of the load [rad/s]" : over;
-  Canvas canvas;
-  std::size_t entries = 0;  // of the key
-  const auto draw = [&](const std::string& lines, const std::string& how) {
-    entries += lines.empty() || how.ends_with("notitle") ? 0U : 1U;
-    canvas.draw(lines, how);
-  };
-  draw(attractor_points(attractors, ordinate, false),
-       "with points lc rgb '#b03030' pt 7 ps 0.25 title 'goes to: irregular or a torus'");
-  draw(attractor_points(attractors, ordinate, true),
-       "with points lc rgb '#303030' pt 6 ps 0.4 title 'goes to: periodic'");
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    const MethodResponse& response = responses[i];
-    const std::string colour = line_colour(i);
-    const std::string title = gnuplot_string(name_with_law(response));
-    bool titled = false;
-    for (const auto& [part, style] :
-         {std::pair{Stability::stable, "lw 2.4"}, std::pair{Stability::unstable, "lw 1.2 dt (12,8)"},
-          std::pair{Stability::unknown, "lw 1"}}) {
-      const std::string lines = pieces(response.diagram, part, ordinate);
-      const std::string words = part == Stability::unstable
-                                    ? "title " + gnuplot_string(name_with_law(response) + ", unstable")
-                                : titled ? "notitle"
-                                         : "title " + title;
-      draw(lines, fmt::format("with lines {} {} {}", colour, style, words));
-      titled = titled || (!lines.empty() && part != Stability::unstable);
-    }
-    if (amplitudes)
-      draw(steps(response.steps), fmt::format("with points {} pt 6 ps 0.5 title {}", colour, title));
-  }
+  KeyedCanvas canvas;
+  canvas.draw(attractor_points(attractors, ordinate, false),
+              "with points lc rgb '#b03030' pt 7 ps 0.25 title 'goes to: irregular or a torus'");
+  canvas.draw(attractor_points(attractors, ordinate, true),
+              "with points lc rgb '#303030' pt 6 ps 0.4 title 'goes to: periodic'");
+  for (std::size_t i = 0; i < responses.size(); ++i)
+    draw_method(responses[i], line_colour(i), ordinate, canvas);
   for (const auto& [kind, mark] : kMarks)
     if (amplitudes)
-      draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}", mark,
-                                               gnuplot_string(describe(kind))));
+      canvas.draw(marks(responses, kind), fmt::format("with points lc rgb '#333333' pt {} ps 0.9 title {}",
+                                                      mark, gnuplot_string(describe(kind))));
   const auto asked = responses.empty() ? std::nullopt : responses.front().asked;
   const std::string axis =
       asked ? fmt::format("set xrange [{:.10g}:{:.10g}]\n", asked->low, asked->high) : "";
-  constexpr double kUsualWidth = 16.0, kUsualPanel = 9.2, kNarrowPanel = 6.0, kAxis = 1.3;  // [cm]
-  const int columns = is_narrow(column) ? 1 : 3;
-  const double panel = is_narrow(column) ? kNarrowPanel : kUsualPanel;
-  const double key = key_height(entries, columns), height = panel + kAxis + key;
-  return {.name = "response",
-          .caption = "Response of " + scene,
-          .script = fmt::format(kResponseFrame, columns) + axis +
-                    fmt::format("set bmargin at screen {:.3f}\nset ylabel {}\nset xlabel {} "
-                                "noenhanced\nset title {} noenhanced\n{}",
-                                (kAxis + key) / height,
-                                amplitudes ? "'amplitude [m]'" : "'x at t = 0 of each forcing period [m]'",
-                                gnuplot_string(abscissa), gnuplot_string(scene), canvas.panel()),
-          .data = canvas.data(),
-          .width = width_in(column, kUsualWidth),
-          .height = height};
+  constexpr double kAxis = 1.3;  // [cm]
+  const bool narrow = is_narrow(column);
+  const int columns = narrow ? 1 : 3;  // of the key
+  const double key = key_height(canvas.entries, columns), height = (narrow ? 6.0 : 9.2) + kAxis + key;
+  return {
+      .name = "response",
+      .caption = "Response of " + scene,
+      .script = std::string(kFrame) +
+                fmt::format("set key at screen 0.5,0.01 bottom center horizontal maxcols {} noenhanced Left "
+                            "reverse samplen 2 font ',8'\n{}set bmargin at screen {:.3f}\nset ylabel {}\n"
+                            "set xlabel {} noenhanced\nset title {} noenhanced\n{}",
+                            columns, axis, (kAxis + key) / height,
+                            amplitudes ? "'amplitude [m]'" : "'x at t = 0 of each forcing period [m]'",
+                            gnuplot_string(abscissa), gnuplot_string(scene), canvas.panel()),
+      .data = canvas.data(),
+      .width = width_in(column, 16.0),
+      .height = height};
 }
 
 }  // namespace signorini

@@ -7,18 +7,13 @@
 
 #include "harness/files.hpp"
 #include "harness/plots/plot_file.hpp"
-#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/gnuplot.hpp"
-#include "harness/schematic/svg.hpp"
 
 namespace signorini {
 
 namespace {
 
-// As on light paper in harness/schematic/svg.cpp.
-constexpr std::array kInkColours{"#1f2328", "#c04f00", "#0067a3", "#57606a"};
-
-const char* colour(Ink ink) { return kInkColours.at(static_cast<std::size_t>(ink)); }
+std::string_view colour(Ink ink) { return kDaySheet.ink.at(static_cast<std::size_t>(ink)); }
 
 /// How gnuplot draws a stroke: the inside, then the line.
 std::vector<std::string> styles(const Stroke& stroke) {
@@ -26,9 +21,9 @@ std::vector<std::string> styles(const Stroke& stroke) {
   constexpr double kPoints = 72.27 / 2.54;
   std::vector<std::string> found;
   if (stroke.fill != Fill::none) {
-    const char* inside = stroke.fill == Fill::body    ? "#dde7ef"
-                         : stroke.fill == Fill::paper ? "#ffffff"
-                                                      : colour(stroke.ink);
+    const std::string_view inside = stroke.fill == Fill::body    ? kDaySheet.body
+                                    : stroke.fill == Fill::paper ? "#ffffff"
+                                                                 : colour(stroke.ink);
     found.push_back(fmt::format("with filledcurves closed fc rgb '{}'", inside));
   }
   found.push_back(fmt::format("with lines lc rgb '{}' lw {:.2f}{}", colour(stroke.ink),
@@ -79,8 +74,7 @@ Figure schematic_figure(const Drawing& drawing) {
               size = box.size() + Place::Constant(2.0 * kDrawingMargin);
   std::string script = fmt::format(
       "set margins 0,0,0,0\nset lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset "
-      "tmargin at "
-      "screen 1\nunset border\nunset tics\nunset key\nset xrange [{:.3f}:{:.3f}]\nset yrange "
+      "tmargin at screen 1\nunset border\nunset tics\nunset key\nset xrange [{:.3f}:{:.3f}]\nset yrange "
       "[{:.3f}:{:.3f}]\n",
       low.x(), low.x() + size.x(), low.y(), low.y() + size.y());
   Canvas canvas;

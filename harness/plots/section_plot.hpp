@@ -1,8 +1,6 @@
 #pragma once
 // A motion that need not be periodic as `motion --plot` draws it.
 
-#include <memory>
-
 #include "harness/motion/long_motion.hpp"
 #include "harness/report/document/section.hpp"
 #include "harness/report/figures/column.hpp"

@@ -14,7 +14,6 @@
 #include "harness/report/figures/gnuplot.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/report/formats/screen.hpp"
-#include "harness/report/formats/screen_groups.hpp"
 #include "harness/report/page/page.hpp"
 #include "harness/report/page/page_parts.hpp"
 #include "harness/report/sections/sections.hpp"

@@ -2,7 +2,6 @@
 // The report of a run: files that are pure functions of its records and manifest.
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <map>
 
 #include "harness/schematic/boundary.hpp"
-#include "harness/schematic/mesh_lines.hpp"
 #include "harness/schematic/schematic.hpp"
 #include "harness/schematic/sharp_edges.hpp"
 #include "harness/schematic/symbols.hpp"
@@ -22,10 +21,9 @@ namespace {
 struct ObliqueBox {
   std::array<Place, 3> edges;  ///< along x, y and z [cm]
 
-  explicit ObliqueBox(const std::array<double, 3>& lengths) {
-    constexpr double kLongest = 9.0, kLeast = 1.3;
-    const double scale = kLongest / *std::ranges::max_element(lengths);
-    const auto length = [&](std::size_t axis) { return std::max(kLeast, scale * lengths[axis]); };
+  explicit ObliqueBox(const Eigen::Vector3d& lengths) {
+    const double scale = 9.0 / lengths.maxCoeff();
+    const auto length = [&](int axis) { return std::max(1.3, scale * lengths[axis]); };
     edges = {Place(length(0), 0.0), length(1) * Place(0.5, 0.4), Place(0.0, length(2))};
   }
   [[nodiscard]] Place at(const Eigen::Vector3d& shares) const {
@@ -41,20 +39,19 @@ struct ObliqueBox {
 /// Nodes of a block where one coordinate direction is in contact or loaded.
 struct NodeGroup {
   std::vector<Eigen::Vector3d> nodes = {};  ///< as shares of the edges
-  double least_gap = 0.0, largest_gap = 0.0;
+  SingleStop stops = {};
   std::map<int, std::complex<double>> load = {};  ///< by harmonic, summed [N]
-
-  [[nodiscard]] Eigen::Vector3d low() const {
-    Eigen::Vector3d found = nodes.front();
-    for (const auto& node : nodes) found = found.cwiseMin(node);
-    return found;
-  }
-  [[nodiscard]] Eigen::Vector3d high() const {
-    Eigen::Vector3d found = nodes.front();
-    for (const auto& node : nodes) found = found.cwiseMax(node);
-    return found;
-  }
 };
+
+/// The corners of the least box around some places.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> corners_of(const std::vector<Eigen::Vector3d>& places) {
+  Eigen::Vector3d low = places.front(), high = low;
+  for (const Eigen::Vector3d& place : places) {
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  return {low, high};
+}
 
 /// Where a coordinate is, as shares of the edges, and its axis.
 struct SharedPlace {
@@ -69,10 +66,8 @@ std::map<std::pair<int, bool>, NodeGroup> contact_groups(const Problem& problem,
   for (const SingleStop& stop : single_stops(problem)) {
     const SharedPlace at = shares_of(stop.dof);
     NodeGroup& group = groups[{at.axis, stop.forward}];
-    const bool first = group.nodes.empty();
-    group.least_gap = first ? stop.least_gap : std::min(group.least_gap, stop.least_gap);
-    group.largest_gap = first ? stop.largest_gap : std::max(group.largest_gap, stop.largest_gap);
     group.nodes.push_back(at.shares);
+    group.stops.add({.contacts = 1, .least_gap = stop.least_gap, .largest_gap = stop.largest_gap});
   }
   return groups;
 }
@@ -101,10 +96,8 @@ void draw_face(Drawing& drawing, const ObliqueBox& box, const BlockMesh& mesh, c
   Part& lines = drawing.add("mesh");
   const auto draw = [&](const Eigen::Vector3d& along, const Eigen::Vector3d& across, int elements) {
     for (const double share : mesh_lines(elements))
-      lines.strokes.push_back(
-          {.places = {box.at(corner + share * along), box.at(corner + share * along + across)},
-           .ink = Ink::note,
-           .width = 0.018});
+      draw_line(lines, {box.at(corner + share * along), box.at(corner + share * along + across)}, Ink::note,
+                kThin);
   };
   draw(a, b, mesh.elements[static_cast<std::size_t>(axes[0])]);
   draw(b, a, mesh.elements[static_cast<std::size_t>(axes[1])]);
@@ -119,55 +112,47 @@ void draw_contact_group(Drawing& drawing, const ObliqueBox& box, int axis, bool 
   if (group.nodes.size() <= kMostDots)
     for (const auto& node : group.nodes) draw_circle(dots, box.at(node), 0.055, Fill::ink, Ink::contact);
   const int first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
-  Eigen::Vector3d low = group.low(), high = group.high();
+  auto [low, high] = corners_of(group.nodes);
+  const Place foot = box.at(low);
   for (const int side : {first, second}) {
     const double margin = 0.25 / box.edges[static_cast<std::size_t>(side)].norm();
     low(side) -= margin;
     high(side) += margin;
   }
-  const Place out = 0.55 * way;
   std::array<Eigen::Vector3d, 4> corners{low, low, high, high};
   corners[1](first) = high(first);
   corners[3](first) = low(first);
+  const Place out = 0.55 * way;
   std::vector<Place> plate;
   for (const auto& corner : corners) plate.push_back(box.at(corner) + out);
   Part& stop = drawing.add("stop");
   stop.strokes.push_back(
-      {.places = plate, .ink = Ink::contact, .fill = Fill::paper, .closed = true, .width = 0.055});
-  constexpr int kHatches = 6;
-  for (int i = 1; i < kHatches; ++i) {
-    const double share = static_cast<double>(i) / kHatches;
+      {.places = plate, .ink = Ink::contact, .fill = Fill::paper, .closed = true, .width = kThick});
+  for (const double share : mesh_lines(6)) {  // hatches
     const Place near = plate[0] + share * (plate[1] - plate[0]),
                 far = plate[3] + share * (plate[2] - plate[3]);
-    stop.strokes.push_back({.places = {near, far}, .ink = Ink::contact, .width = 0.022});
+    draw_line(stop, {near, far}, Ink::contact, 0.022);
   }
-  const Place foot = box.at(group.low());
   if (compliant)
     draw_stop_spring(stop, foot, foot + out);
   else
     stop.strokes.push_back({.places = {foot, foot + out}, .ink = Ink::contact, .dashed = true});
-  const std::size_t nodes = group.nodes.size();
   const Place middle = 0.25 * (plate[0] + plate[1] + plate[2] + plate[3]);
-  drawing.add("gap").labels.push_back(
-      {.place = middle + 0.45 * way + Place(0.0, way.y() < 0.0 ? -kTextSize : 0.1),
-       .words = fmt::format("{}g = {}", nodes == 1 ? "" : fmt::format("{} nodes, ", nodes),
-                            range_text(group.least_gap, group.largest_gap, "m")),
-       .ink = Ink::contact});
+  draw_text(drawing.add("gap"), middle + 0.45 * way + Place(0.0, way.y() < 0.0 ? -kTextSize : 0.1),
+            gap_text(group.stops, "nodes"), Ink::contact);
 }
 
 /// The whole force along an axis, where its nodes are on the average.
 void draw_load_group(Drawing& drawing, const ObliqueBox& box, int axis, const NodeGroup& group) {
-  constexpr double kArrow = 1.1;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const auto& node : group.nodes) middle += node / static_cast<double>(group.nodes.size());
   Problem whole;  // one coordinate that the whole force acts on
   for (const auto& [harmonic, size] : group.load)
     whole.force.push_back({.dof = 0, .harmonic = harmonic, .cos = size.real(), .sin = size.imag()});
-  const Place from = box.at(middle),
-              to = from + kArrow * box.edges[static_cast<std::size_t>(axis)].normalized();
+  const Place from = box.at(middle), to = from + 1.1 * box.edges[static_cast<std::size_t>(axis)].normalized();
   // Beyond the block, at the height of the arrow, where no stop is in the way.
   const Place beside(std::max(box.edges[0].x() + box.edges[1].x(), to.x()) + 0.25, 0.5 * (from.y() + to.y()));
-  draw_load(drawing, from, to, {.place = beside, .words = load_text(whole, 0), .anchor = Anchor::start});
+  draw_load(drawing, from, to, beside, load_text(whole, 0), Anchor::start);
   draw_circle(drawing.parts.back(), from, 0.06, Fill::ink, Ink::load);
 }
 
@@ -175,19 +160,24 @@ void draw_load_group(Drawing& drawing, const ObliqueBox& box, int axis, const No
 std::string draw_surroundings(Drawing& drawing, const ObliqueBox& box, const Problem& problem,
                               const SharesOf& shares_of) {
   for (const auto& [side, group] : contact_groups(problem, shares_of))
-    draw_contact_group(drawing, box, side.first, side.second, group, has_compliant_stops(problem));
+    draw_contact_group(drawing, box, side.first, side.second, group, has_springs(problem));
   for (const auto& [axis, group] : load_groups(problem, shares_of))
     draw_load_group(drawing, box, axis, group);
-  const auto hidden = static_cast<int>(pair_stops(problem).size()) + other_stops(problem);
-  return hidden == 0
-             ? ""
-             : fmt::format(", {} contact{} between coordinates not drawn", hidden, hidden == 1 ? "" : "s");
+  return hidden_text(std::ssize(pair_stops(problem)) + other_stops(problem), "contact",
+                     " between coordinates not drawn");
+}
+
+/// "0.5 × 0.1 × 0.2 m"
+std::string size_text(const Eigen::Vector3d& lengths) {
+  return fmt::format("{} × {} × {} m", number_text(lengths.x()), number_text(lengths.y()),
+                     number_text(lengths.z()));
 }
 
 }  // namespace
 
-std::string draw_block(Drawing& drawing, const Problem& problem, const BlockMesh& mesh) {
-  const ObliqueBox box(mesh.lengths);
+std::string draw_model(Drawing& drawing, const Problem& problem, const BlockMesh& mesh) {
+  const Eigen::Vector3d lengths(mesh.lengths[0], mesh.lengths[1], mesh.lengths[2]);
+  const ObliqueBox box(lengths);
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const Place overlap = 0.25 * Place(0.0, 1.0);
   draw_wall(drawing, box.at(origin) - overlap, box.at(Eigen::Vector3d::UnitZ()));
@@ -203,25 +193,22 @@ std::string draw_block(Drawing& drawing, const Problem& problem, const BlockMesh
       shares[static_cast<Eigen::Index>(a)] = static_cast<double>(node[a]) / mesh.elements[a];
     return SharedPlace{.shares = shares, .axis = axis};
   });
-  return fmt::format("elastic block of {} × {} × {} bricks, {} × {} × {} m{}", mesh.elements[0],
-                     mesh.elements[1], mesh.elements[2], number_text(mesh.lengths[0]),
-                     number_text(mesh.lengths[1]), number_text(mesh.lengths[2]), hidden);
+  return fmt::format("elastic block of {} × {} × {} bricks, {}{}", mesh.elements[0], mesh.elements[1],
+                     mesh.elements[2], size_text(lengths), hidden);
 }
 
-std::string draw_solid(Drawing& drawing, const Problem& problem, const SolidMesh& mesh) {
-  Eigen::Vector3d low = mesh.nodes.front(), high = low;
-  for (const Eigen::Vector3d& node : mesh.nodes) {
-    low = low.cwiseMin(node);
-    high = high.cwiseMax(node);
-  }
+std::string draw_model(Drawing& drawing, const Problem& problem,
+                       const std::shared_ptr<const SolidMesh>& solid) {
+  const SolidMesh& mesh = *solid;
+  const auto [low, high] = corners_of(mesh.nodes);
   const Eigen::Vector3d lengths = high - low;
-  const ObliqueBox box({lengths.x(), lengths.y(), lengths.z()});
-  const auto shares = [&](int node) -> Eigen::Vector3d {
-    return (mesh.nodes[static_cast<std::size_t>(node)] - low).cwiseQuotient(lengths);
+  const ObliqueBox box(lengths);
+  const auto shares = [&, from = low](int node) -> Eigen::Vector3d {
+    return (mesh.nodes[static_cast<std::size_t>(node)] - from).cwiseQuotient(lengths);
   };
   Part& edges = drawing.add("edges");
   for (const auto& [from, to] : sharp_edges(mesh, box.towards_reader(lengths)))
-    edges.strokes.push_back({.places = {box.at(shares(from)), box.at(shares(to))}, .width = 0.03});
+    draw_line(edges, {box.at(shares(from)), box.at(shares(to))}, Ink::structure, 0.03);
   Part& held = drawing.add("support");
   for (int node = 0; node < mesh.held; ++node)
     draw_circle(held, box.at(shares(node)), 0.035, Fill::ink, Ink::structure);
@@ -231,9 +218,8 @@ std::string draw_solid(Drawing& drawing, const Problem& problem, const SolidMesh
   });
   int elements = 0;
   for (const ElementList& list : mesh.solids) elements += list.count();
-  return fmt::format("elastic solid of {} elements, {} × {} × {} m, {} nodes held{}", elements,
-                     number_text(lengths.x()), number_text(lengths.y()), number_text(lengths.z()), mesh.held,
-                     hidden);
+  return fmt::format("elastic solid of {} elements, {}, {} nodes held{}", elements, size_text(lengths),
+                     mesh.held, hidden);
 }
 
 }  // namespace signorini

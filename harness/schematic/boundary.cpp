@@ -44,6 +44,11 @@ bool is_pair(const Contact& contact) {
   return normal.size() == 2 && (normal[0].second > 0.0) != (normal[1].second > 0.0);
 }
 
+int elements_per_line(int elements) {
+  constexpr int kMostLines = 40;
+  return (elements + kMostLines - 1) / kMostLines;
+}
+
 }  // namespace
 
 std::string number_text(double value, int digits) {
@@ -63,30 +68,49 @@ std::string range_text(double least, double largest, const std::string& unit) {
   return (from == to ? from : from + " … " + to) + " " + unit;
 }
 
+std::vector<double> mesh_lines(int elements) {
+  std::vector<double> shares;
+  const int step = elements_per_line(elements);
+  for (int i = step; i < elements; i += step) shares.push_back(static_cast<double>(i) / elements);
+  return shares;
+}
+
+std::string elements_text(int elements) {
+  const int step = elements_per_line(elements);
+  return fmt::format("{} element{}{}", elements, elements == 1 ? "" : "s",
+                     step > 1 ? fmt::format(" (a line every {})", step) : "");
+}
+
+void SingleStop::add(const SingleStop& other) {
+  const bool first = contacts == 0;
+  if (first) *this = {.dof = other.dof, .forward = other.forward};
+  least_gap = first ? other.least_gap : std::min(least_gap, other.least_gap);
+  largest_gap = first ? other.largest_gap : std::max(largest_gap, other.largest_gap);
+  contacts += other.contacts;
+}
+
 std::vector<SingleStop> single_stops(const Problem& problem) {
   std::map<std::pair<int, bool>, SingleStop> found;
   for (const Contact& contact : problem.contacts) {
     const auto normal = acting(contact);
     if (normal.size() != 1) continue;
     const bool forward = normal[0].second > 0.0;
-    auto [at, fresh] = found.try_emplace({normal[0].first, !forward}, SingleStop{.dof = normal[0].first,
-                                                                                 .forward = forward,
-                                                                                 .least_gap = contact.gap,
-                                                                                 .largest_gap = contact.gap});
-    SingleStop& stop = at->second;
-    ++stop.contacts;
-    stop.least_gap = std::min(stop.least_gap, contact.gap);
-    stop.largest_gap = std::max(stop.largest_gap, contact.gap);
+    found[{normal[0].first, !forward}].add({normal[0].first, forward, 1, contact.gap, contact.gap});
   }
   std::vector<SingleStop> stops;
   for (const auto& [place, stop] : found) stops.push_back(stop);
   return stops;
 }
 
-std::string gap_text(const SingleStop& stop) {
+bool has_other_side(const SingleStop& stop, const std::vector<SingleStop>& all) {
+  return std::ranges::any_of(
+      all, [&](const SingleStop& other) { return other.dof == stop.dof && other.forward != stop.forward; });
+}
+
+std::string gap_text(const SingleStop& stop, const char* things) {
   const std::string gap = "g = " + range_text(stop.least_gap, stop.largest_gap, "m");
   if (stop.contacts == 1) return stop.least_gap < 0.0 ? gap + " (preload)" : gap;
-  return fmt::format("{} stops, {}", stop.contacts, gap);
+  return fmt::format("{} {}, {}", stop.contacts, things, gap);
 }
 
 std::vector<PairStop> pair_stops(const Problem& problem) {
@@ -107,15 +131,14 @@ int other_stops(const Problem& problem) {
   }));
 }
 
-double drawn_gap(double gap, double largest) {
-  constexpr double kLeast = 0.16, kMore = 0.44;
-  return gap > 0.0 ? kLeast + kMore * gap / largest : 0.0;
+std::string hidden_text(std::ptrdiff_t count, const std::string& contact, const char* rest) {
+  return count > 0 ? fmt::format(", {} {}{}{}", count, contact, count == 1 ? "" : "s", rest) : "";
 }
 
-double largest_gap(const Problem& problem) {
+double drawn_gap(double gap, const Problem& problem) {
   double largest = 0.0;
   for (const Contact& contact : problem.contacts) largest = std::max(largest, std::abs(contact.gap));
-  return largest;
+  return gap > 0.0 ? 0.16 + 0.44 * gap / largest : 0.0;
 }
 
 std::vector<int> loaded_coordinates(const Problem& problem) {
@@ -139,14 +162,8 @@ std::string load_text(const Problem& problem, int dof) {
       terms.push_back(term_text(-amplitude.imag(), "sin", harmonic));
   }
   if (terms.size() > kMostTerms) return "f(t)";
-  std::string text = fmt::format("{} N", joined(terms, " + "));
-  const std::string negative = "+ −";
-  if (const std::size_t at = text.find(negative); at != std::string::npos)  // of two terms at most
-    text.replace(at, negative.size(), "− ");
-  return text;
+  return replaced(joined(terms, " + ") + " N", "+ −", "− ");
 }
-
-bool has_compliant_stops(const Problem& problem) { return has_springs(problem); }
 
 std::string motion_note(const Problem& problem) {
   std::string note = fmt::format("ω = {} rad/s", number_text(problem.frequency));

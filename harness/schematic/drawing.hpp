@@ -2,7 +2,9 @@
 // A line drawing as data: what a schematic consists of, before it is written in any format.
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace signorini {
@@ -12,13 +14,9 @@ using Place = Eigen::Vector2d;
 
 /// What a line or a text stands for, which decides its colour.
 enum class Ink { structure, contact, load, note };
-/// "structure" and so on.
-const char* ink_name(Ink ink);
 
 /// What the inside of a closed line is filled with.
 enum class Fill { none, body, paper, ink };
-/// "none" and so on.
-const char* fill_name(Fill fill);
 
 /// One line through some places.
 struct Stroke {
@@ -70,5 +68,23 @@ struct Box {
 Box extent(const Label& label);
 /// The least box around all strokes and labels; of an empty drawing, the origin.
 Box extent(const Drawing& drawing);
+
+/// Resolution of pictures on a screen: 96 pixels per inch.
+inline constexpr double kPixelsPerCentimetre = 96.0 / 2.54;
+
+/// White paper around a drawing [cm].
+inline constexpr double kDrawingMargin = 0.4;
+
+/// Colours of a sheet: of each ink, of the inside of bodies, of the paper.
+struct SheetColours {
+  std::array<std::string_view, 4> ink;
+  std::string_view body, paper;
+};
+/// Those on light paper. Contacts and loads as in the figures (Okabe and Ito).
+inline constexpr SheetColours kDaySheet{{"#1f2328", "#c04f00", "#0067a3", "#57606a"}, "#dde7ef", "#fff"};
+
+/// The drawing as one SVG document, with a margin around all that it holds. Each part is a group `<g
+/// class="KIND">`; colours follow the reader's choice of light or dark. The same bytes each time.
+std::string svg_of(const Drawing& drawing);
 
 }  // namespace signorini

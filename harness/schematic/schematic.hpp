@@ -2,7 +2,9 @@
 // The mechanical system of a scene as a figure: masses, springs, dampers, meshes, stops with their gaps,
 // loads.
 
+#include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "harness/schematic/drawing.hpp"
@@ -19,17 +21,16 @@ namespace signorini {
 Drawing schematic(const Problem& scene, const SystemLayout& layout,
                   const std::vector<DampedStop>& damped = {});
 
-// The parts of it, one function for each kind of system. Each returns what its picture does not show, in
-// words.
-
-std::string draw_chain(Drawing& drawing, const Problem& problem, const Chain& chain);
-std::string draw_bar(Drawing& drawing, const Problem& problem, const Bar& bar);
-std::string draw_beams(Drawing& drawing, const Problem& problem, const Beam& beam);
-std::string draw_block(Drawing& drawing, const Problem& problem, const BlockMesh& mesh);
-std::string draw_solid(Drawing& drawing, const Problem& problem, const SolidMesh& mesh);
-std::string draw_rotor(Drawing& drawing, const Problem& problem, const Rotor& rotor);
-std::string draw_shaft(Drawing& drawing, const Problem& problem, const Shaft& shaft);
+/// The model on paper, as its kind is drawn; what the picture does not show, in words.
+std::string draw_model(Drawing& drawing, const Problem& problem, const Chain& chain);
+std::string draw_model(Drawing& drawing, const Problem& problem, const Bar& bar);
+std::string draw_model(Drawing& drawing, const Problem& problem, const Beam& beam);
+std::string draw_model(Drawing& drawing, const Problem& problem, const BlockMesh& mesh);
+std::string draw_model(Drawing& drawing, const Problem& problem,
+                       const std::shared_ptr<const SolidMesh>& mesh);
+std::string draw_model(Drawing& drawing, const Problem& problem, const Rotor& rotor);
+std::string draw_model(Drawing& drawing, const Problem& problem, const Shaft& shaft);
 /// A body of unknown shape, with its contacts and loads.
-std::string draw_body(Drawing& drawing, const Problem& problem);
+std::string draw_model(Drawing& drawing, const Problem& problem, const std::monostate& matrices);
 
 }  // namespace signorini

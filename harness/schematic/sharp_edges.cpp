@@ -1,8 +1,6 @@
 #include "harness/schematic/sharp_edges.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace signorini {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/schematic/boundary.hpp"
+
 namespace signorini {
 
 namespace {
-
-constexpr double kThick = 0.055;  // of walls, plates and rods [cm]
 
 /// A frame along a line: places by distance along it and to its left.
 struct Along {
@@ -47,17 +47,15 @@ void dashpot(Part& part, const Place& from, const Place& to, double half, Ink in
             {line.at(middle + depth, half), line.at(middle - depth, half), line.at(middle - depth, -half),
              line.at(middle + depth, -half)},
             ink);
-  part.strokes.push_back(
-      {.places = {line.at(middle + 0.3 * depth, 0.75 * half), line.at(middle + 0.3 * depth, -0.75 * half)},
-       .ink = ink,
-       .width = kThick});
+  draw_line(part, {line.at(middle + 0.3 * depth, 0.75 * half), line.at(middle + 0.3 * depth, -0.75 * half)},
+            ink, kThick);
   draw_line(part, {line.at(middle + 0.3 * depth), to}, ink);
 }
 
 }  // namespace
 
-void draw_line(Part& part, std::vector<Place> places, Ink ink) {
-  part.strokes.push_back({.places = std::move(places), .ink = ink});
+void draw_line(Part& part, std::vector<Place> places, Ink ink, double width) {
+  part.strokes.push_back({.places = std::move(places), .ink = ink, .width = width});
 }
 
 void draw_circle(Part& part, const Place& centre, double radius, Fill fill, Ink ink) {
@@ -77,47 +75,50 @@ void draw_box(Part& part, const Place& low, const Place& high, Fill fill) {
                           .width = 0.045});
 }
 
+void draw_meshed_box(Drawing& drawing, const std::string& kind, const Place& low, const Place& high,
+                     int elements) {
+  draw_box(drawing.add(kind), low, high, Fill::body);
+  Part& mesh = drawing.add("mesh");
+  for (const double share : mesh_lines(elements)) {
+    const double x = low.x() + share * (high.x() - low.x());
+    draw_line(mesh, {{x, low.y()}, {x, high.y()}}, Ink::note, kThin);
+  }
+}
+
+void draw_text(Part& part, const Place& place, std::string words, Ink ink, Anchor anchor) {
+  part.labels.push_back({.place = place, .words = std::move(words), .anchor = anchor, .ink = ink});
+}
+
 void hatch_line(Part& part, const Place& from, const Place& to, Ink ink) {
-  constexpr double kPitch = 0.17, kDepth = 0.17;
+  constexpr double kPitch = 0.17;  // from one to the next, and how deep they are
   const Along line(from, to);
   const int hatches = std::max(2, static_cast<int>(line.length / kPitch));
   for (int i = 0; i < hatches; ++i) {
     const double ahead = (i + 0.75) * line.length / hatches;
-    part.strokes.push_back(
-        {.places = {line.at(ahead), line.at(ahead - kDepth, kDepth)}, .ink = ink, .width = 0.022});
+    draw_line(part, {line.at(ahead), line.at(ahead - kPitch, kPitch)}, ink, 0.022);
   }
-  part.strokes.push_back({.places = {from, to}, .ink = ink, .width = kThick});
+  draw_line(part, {from, to}, ink, kThick);
 }
 
 void draw_wall(Drawing& drawing, const Place& from, const Place& to) {
   hatch_line(drawing.add("wall"), from, to);
 }
 
-void draw_spring(Drawing& drawing, const Place& from, const Place& to) {
-  zigzag(drawing.add("spring"), from, to, 0.16, Ink::structure);
-}
-
-void draw_damper(Drawing& drawing, const Place& from, const Place& to) {
-  dashpot(drawing.add("damper"), from, to, 0.15, Ink::structure);
-}
-
 void draw_element(Drawing& drawing, const Place& from, const Place& to, bool spring, bool damper,
                   const ElementText& text) {
-  constexpr double kAside = 0.33;
   const Along line(from, to);
-  const double aside = spring && damper ? kAside : 0.0;
+  const double aside = spring && damper ? 0.33 : 0.0;
   const auto note = [&](const std::string& words, double distance) {
     if (words.empty()) return;
-    drawing.parts.back().labels.push_back({.place = line.at(0.5 * line.length, distance) +
-                                                    Place(0.0, distance > 0.0 ? 0.02 : -0.75 * kTextSize),
-                                           .words = words});
+    const Place middle = line.at(0.5 * line.length, distance);
+    draw_text(drawing.parts.back(), middle + Place(0.0, distance > 0.0 ? 0.02 : -0.75 * kTextSize), words);
   };
   if (spring) {
-    draw_spring(drawing, line.at(0.0, aside), line.at(line.length, aside));
+    zigzag(drawing.add("spring"), line.at(0.0, aside), line.at(line.length, aside), 0.16, Ink::structure);
     note(text.spring, aside + 0.22);
   }
   if (damper) {
-    draw_damper(drawing, line.at(0.0, -aside), line.at(line.length, -aside));
+    dashpot(drawing.add("damper"), line.at(0.0, -aside), line.at(line.length, -aside), 0.15, Ink::structure);
     note(text.damper, -aside - 0.22);
   }
 }
@@ -132,8 +133,7 @@ void draw_stop(Drawing& drawing, const Place& face, const Place& direction, cons
   if (!look.compliant) return wall(face);
   const bool damped = drawing.damped_stops;
   const double half = (damped ? 0.9 : 0.6) * look.half;
-  part.strokes.push_back(
-      {.places = {face - half * across, face + half * across}, .ink = Ink::contact, .width = kThick});
+  draw_line(part, {face - half * across, face + half * across}, Ink::contact, kThick);
   wall(face + kStopDepth * direction);
   const Place beside = damped ? Place(0.5 * half * across) : Place(0.0, 0.0);
   zigzag(part, face + beside, face + beside + kStopDepth * direction,
@@ -159,7 +159,20 @@ void draw_arrow(Part& part, const Place& from, const Place& to, Ink ink) {
        .width = 0.01});
 }
 
-void draw_gap(Drawing& drawing, const Place& from, const Place& to, const Label& label) {
+void draw_turning_arrow(Part& part, const Place& centre, double radius, double begin, double turn,
+                        int pieces) {
+  std::vector<Place> arc;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = std::numbers::pi * (begin + turn * i / pieces);
+    arc.push_back(centre + radius * Place(std::cos(angle), std::sin(angle)));
+  }
+  const Place tip = arc.back(), before = arc[arc.size() - 4];
+  draw_line(part, std::move(arc), Ink::load, 0.05);
+  draw_arrow(part, before, tip + 0.4 * (tip - before), Ink::load);
+}
+
+void draw_gap(Drawing& drawing, const Place& from, const Place& to, const Place& at, const std::string& words,
+              Anchor anchor) {
   constexpr double kTail = 0.38;
   Part& part = drawing.add("gap");
   if ((to - from).norm() > 0.0) {
@@ -167,17 +180,15 @@ void draw_gap(Drawing& drawing, const Place& from, const Place& to, const Label&
     draw_arrow(part, from - kTail * unit, from, Ink::contact);
     draw_arrow(part, to + kTail * unit, to, Ink::contact);
   }
-  part.labels.push_back(label);
-  part.labels.back().ink = Ink::contact;
+  draw_text(part, at, words, Ink::contact, anchor);
 }
 
-void draw_load(Drawing& drawing, const Place& from, const Place& to, const Label& label) {
+void draw_load(Drawing& drawing, const Place& from, const Place& to, const Place& at,
+               const std::string& words, Anchor anchor) {
   Part& part = drawing.add("load");
   draw_arrow(part, from, to, Ink::load);
   part.strokes.front().width = kThick;
-  if (label.words.empty()) return;
-  part.labels.push_back(label);
-  part.labels.back().ink = Ink::load;
+  if (!words.empty()) draw_text(part, at, words, Ink::load, anchor);
 }
 
 }  // namespace signorini

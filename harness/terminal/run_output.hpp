@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "harness/report/document/section.hpp"
+#include "harness/report/evaluation/case_result.hpp"
 #include "harness/report/evaluation/evaluation.hpp"
-#include "harness/report/evaluation/outcome.hpp"
 
 namespace signorini {
 

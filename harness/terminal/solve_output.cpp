@@ -11,13 +11,14 @@
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/text/columns.hpp"
 #include "harness/text/words.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr std::size_t kSolveColumns = 80, kNameWidth = 22;
+constexpr std::size_t kNameWidth = 22;
 /// Rows of each part that one screen has room for.
 constexpr std::size_t kMostShownRows = 4;
 
@@ -27,20 +28,19 @@ std::string named_line(const std::string& name, const std::string& text) {
 
 /// The same with a text that may be too long for one line.
 std::string named_text(const std::string& name, const std::string& text) {
-  return named_lines(name, kNameWidth, text, kSolveColumns);
+  return named_lines(name, kNameWidth, text, kTerminalWidth);
+}
+
+std::string titles(const std::string& name, const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += fmt::format("{:>14}", word);
+  return named_line(name, line);
 }
 
 std::string row(const std::string& name, const std::vector<Measure>& values) {
-  std::string line = fmt::format("{:<{}}", name, kNameWidth);
-  for (const Measure& value : values)
-    line += fmt::format("{:>14}", value ? fmt::format("{:.6g}", *value) : "-");
-  return line + "\n";
-}
-
-std::string titles(const std::string& name, const std::vector<const char*>& words) {
-  std::string line = fmt::format("{:<{}}", name, kNameWidth);
-  for (const char* word : words) line += fmt::format("{:>14}", word);
-  return line + "\n";
+  std::vector<std::string> words;
+  for (const Measure& value : values) words.push_back(value ? fmt::format("{:.6g}", *value) : "-");
+  return titles(name, words);
 }
 
 std::string contact_name(int contact) { return fmt::format("  contact {}", contact); }
@@ -169,14 +169,15 @@ std::string multipliers(const FloquetMultipliers& all, bool verbose) {
   }
   std::ranges::stable_sort(kept, std::greater<>(),
                            [](const auto& mu) { return std::hypot(mu.first, mu.second); });
-  const std::size_t shown = verbose ? kept.size() : std::min(kMostShownRows, kept.size());
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const auto [re, im] = kept[i];
-    text +=
-        (i == 0 ? "" : ", ") + fmt::format("{:.4g}", re) + (im > 0.0 ? fmt::format(" +- {:.4g}i", im) : "");
+  std::vector<std::string> words;
+  for (const auto& [re, im] : kept) {
+    if (!verbose && words.size() == kMostShownRows) {
+      words.emplace_back("...");
+      break;
+    }
+    words.push_back(fmt::format("{:.4g}", re) + (im > 0.0 ? fmt::format(" +- {:.4g}i", im) : ""));
   }
-  return text + (shown < kept.size() ? ", ..." : "");
+  return joined(words, ", ");
 }
 
 std::string orbit_lines(const Certificate& certificate, bool verbose) {
@@ -244,7 +245,7 @@ std::string answer_text(const Record& record, const SolveOutput& output) {
       fmt::format("{}: {}\n", record.case_id,
                   output.colour ? fmt::format("\033[{}m{}\033[0m", converged ? 32 : 31, status) : status);
   if (!record.message.empty() && (output.verbose || !converged)) {
-    for (const std::string& line : wrapped_lines(record.message, kSolveColumns - 2))
+    for (const std::string& line : wrapped_lines(record.message, kTerminalWidth - 2))
       text += "  " + line + "\n";
   }
   if (record.status == Status::timeout) text += "  --timeout gives it more time\n";

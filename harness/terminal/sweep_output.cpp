@@ -13,7 +13,6 @@ namespace signorini {
 
 namespace {
 
-constexpr std::size_t kSweepColumns = 80;
 constexpr std::size_t kPointIndent = 32;  // columns of the numbers before the words of a line
 constexpr std::size_t kEnergyColumn = 15;
 
@@ -21,9 +20,9 @@ constexpr std::size_t kEnergyColumn = 15;
 std::string point_line(const SolutionPoint& point, const std::string& words) {
   const double amplitude = point.amplitude.empty() ? 0.0 : *std::ranges::max_element(point.amplitude);
   const std::string numbers = fmt::format("{:>14.8g}{:>15.6g}", point.parameter, amplitude);
-  if (!point.energy) return named_lines(numbers, kPointIndent, words, kSweepColumns);
+  if (!point.energy) return named_lines(numbers, kPointIndent, words, kTerminalWidth);
   return named_lines(numbers + fmt::format("{:>{}.8g}", other_than_parameter(point), kEnergyColumn),
-                     kPointIndent + kEnergyColumn, words, kSweepColumns);
+                     kPointIndent + kEnergyColumn, words, kTerminalWidth);
 }
 
 /// "all stable", "30 stable, 36 unstable": how many points are what, which adds up to all of them.

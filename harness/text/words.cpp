@@ -11,16 +11,11 @@
 namespace signorini {
 
 std::string joined(std::span<const std::string> words, std::string_view between) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) text.append(i == 0 ? "" : between).append(words[i]);
-  return text;
+  return fmt::format("{}", fmt::join(words, between));
 }
 
 std::string joined(std::span<const double> numbers, std::string_view format, std::string_view between) {
-  std::string text;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    text.append(i == 0 ? "" : between).append(fmt::format(fmt::runtime(format), numbers[i]));
-  return text;
+  return fmt::format(fmt::runtime(format), fmt::join(numbers, between));
 }
 
 std::vector<std::string> wrapped_lines(const std::string& text, std::size_t width) {
@@ -37,6 +32,11 @@ double rounded(double value, int digits) {
   const std::string text = fmt::format("{:.{}g}", value, digits);
   const double read = std::strtod(text.c_str(), nullptr);  // std::stod throws at the least numbers
   return std::isfinite(read) ? read : value;
+}
+
+std::vector<double> rounded(std::vector<double> values, int digits) {
+  for (double& value : values) value = rounded(value, digits);
+  return values;
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

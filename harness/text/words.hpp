@@ -26,6 +26,8 @@ std::vector<std::string> wrapped_lines(const std::string& text, std::size_t widt
 /// A finite number rounded to so many significant decimal digits, as it is printed. Unchanged where that is
 /// beyond the largest number. \param digits  1..17
 double rounded(double value, int digits);
+/// All of them.
+std::vector<double> rounded(std::vector<double> values, int digits);
 
 /// The text with every `from`, which is not empty, replaced by `to`, read once from the left.
 std::string replaced(std::string_view text, std::string_view from, std::string_view to);

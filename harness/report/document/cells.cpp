@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "harness/report/document/lines.hpp"
@@ -20,6 +21,17 @@ Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all) {
 Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all, double seconds) {
   const std::string text = count_cell(count, all).text;
   return {std::isfinite(seconds) ? text + ", " + time_text(seconds) : text, seconds};
+}
+
+Cell number_cell(const Measure& value, std::string_view format, const std::string& missing) {
+  if (!value || !std::isfinite(*value)) return {missing, std::numeric_limits<double>::infinity()};
+  return {fmt::format(fmt::runtime(format), *value), *value};
+}
+
+Cell time_cell(const Measure& seconds, const std::string& missing) {
+  Cell cell = number_cell(seconds, "{}", missing);
+  if (std::isfinite(*cell.value)) cell.text = time_text(*seconds);
+  return cell;
 }
 
 std::string in_place(Status status) { return fmt::format("({})", status_name(status)); }

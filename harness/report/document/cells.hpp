@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "harness/records/record.hpp"
 #include "harness/table.hpp"
@@ -18,6 +19,13 @@ Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all);
 /// "22 of 24, 0.31 ms": so many of them, and their median time, without it where half or more have none; it
 /// sorts by the time.
 Cell count_cell(std::ptrdiff_t count, std::ptrdiff_t all, double seconds);
+
+/// A number as fmt prints it by `format`, such as "{:.1e}", by which the cell sorts; other words where there
+/// is none, or an infinite one.
+Cell number_cell(const Measure& value, std::string_view format, const std::string& missing = "-");
+
+/// The same of a time, as time_text has it [s].
+Cell time_cell(const Measure& seconds, const std::string& missing = "-");
 
 /// The status in parentheses, for cells of a run without an answer: "(timeout)".
 std::string in_place(Status status);

@@ -19,9 +19,6 @@ struct Figure {
   double width = 16.0, height = 10.0;  ///< [cm]
 };
 
-/// Resolution of figures on a screen: 96 pixels per inch.
-inline constexpr double kPixelsPerCentimetre = 96.0 / 2.54;
-
 /// What the rows of a section's table are, which decides where a page shows it.
 enum class SectionKind {
   overview,   ///< of methods, over scenes
@@ -61,7 +58,12 @@ class Rows {
   }
 
   /// Says in the note of the section how many rows found no room, if any.
-  void close();
+  void close() {
+    if (count_ <= kMostRows) return;
+    const std::string which = std::to_string(kMostRows) + " of " + std::to_string(count_);
+    section_.note = "These are the first " + which + " rows; " + elsewhere_ + "." +
+                    (section_.note.empty() ? "" : " " + section_.note);
+  }
 
  private:
   Section& section_;

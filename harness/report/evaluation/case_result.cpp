@@ -4,6 +4,9 @@
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include "harness/plan/plan.hpp"
 #include "harness/records/record_json.hpp"
@@ -36,6 +39,24 @@ std::string scene_key(const Record& record) {
   if (record.family) key += json_text(write_fields(*record.family));
   if (record.instance) key += json_text(write_fields(*record.instance));
   return key;
+}
+
+CaseChoice case_choice_of(const Record& record) {
+  return {.method = record.method,
+          .settings = record.settings,
+          .options = record.options,
+          .same_equations_as = record.same_equations_as,
+          .resolution = resolution_of(record),
+          .configuration = configuration_of(record),
+          .from_plugin = !record.plugin.empty()};
+}
+
+/// What is kept under a key; made where nothing is.
+template <class Values, class Make>
+auto* kept(Values& values, const std::string& key, const Make& make) {
+  const auto [place, fresh] = values.try_emplace(key);
+  if (fresh) place->second = make();
+  return &place->second;
 }
 
 }  // namespace
@@ -89,10 +110,9 @@ void CaseResults::add(const Record& record) {
     return;
   }
   CaseResult result{.case_id = record.case_id,
-                    .choice = choice_of(record),
-                    .scene = scene_of(record),
+                    .choice = kept(choices_, choice_key(record), [&] { return case_choice_of(record); }),
+                    .scene = kept(scenes_, scene_key(record), [&] { return case_scene_of(record); }),
                     .outcome = outcome_of(record),
-                    .law = law_of(record),
                     .error = record.errors.x_l2 ? record.errors.x_l2 : record.errors.u_l2,
                     .level = level_error(record),
                     .impulse_error = record.errors.impulse,
@@ -101,6 +121,7 @@ void CaseResults::add(const Record& record) {
                     .work = record.work.counts,
                     .repeats = record.repeats,
                     .source = count_++};
+  if (record.law) result.law = kept(laws_, law_key(record.law), [&] { return *record.law; });
   if (record.seconds) {
     result.seconds = record.seconds->median;
     result.exchange = record.seconds->exchange;
@@ -131,31 +152,64 @@ void CaseResults::keep(const std::vector<std::size_t>& sources) {
   std::erase_if(response_sources_, [&](std::size_t source) { return places[source] == kDropped; });
 }
 
-const CaseChoice* CaseResults::choice_of(const Record& record) {
-  const auto [place, fresh] = choices_.try_emplace(choice_key(record));
-  if (fresh) {
-    place->second = {.method = record.method,
-                     .settings = record.settings,
-                     .options = record.options,
-                     .same_equations_as = record.same_equations_as,
-                     .resolution = resolution_of(record),
-                     .configuration = configuration_of(record),
-                     .from_plugin = !record.plugin.empty()};
+std::optional<Claim> claim_of(const CaseOutcome& outcome) {
+  return outcome.response ? std::nullopt : claim_of(outcome.status, outcome.certificate);
+}
+
+bool has_another_law(const CaseOutcome& outcome) { return outcome.law_matches_scene == false; }
+
+bool is_solved(const CaseOutcome& outcome) {
+  return claim_of(outcome) == Claim::certified && !has_another_law(outcome);
+}
+
+std::vector<bool> repeated_problems(const std::vector<CaseResult>& results) {
+  std::vector<bool> repeated(results.size(), false);
+  std::set<std::pair<std::string_view, std::string_view>> seen;  // resolution and problem
+  for (const bool another_law : {false, true}) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const CaseResult& result = results[i];
+      if (result.problem == nullptr || has_another_law(result.outcome) != another_law) continue;
+      repeated[i] = !seen.emplace(result.choice->resolution, *result.problem).second;
+    }
   }
-  return &place->second;
+  return repeated;
 }
 
-const CaseScene* CaseResults::scene_of(const Record& record) {
-  const auto [place, fresh] = scenes_.try_emplace(scene_key(record));
-  if (fresh) place->second = case_scene_of(record);
-  return &place->second;
+Measure bounded_error(const CaseResult& result) {
+  return result.error ? std::max(*result.error, result.measurable) : result.error;
 }
 
-const RepresentedLaw* CaseResults::law_of(const Record& record) {
-  if (!record.law) return nullptr;
-  return &laws_.try_emplace(law_key(record.law), *record.law).first->second;
+Measure certified_error(const CaseResult& result) {
+  return claim_of(result.outcome) == Claim::certified ? bounded_error(result) : std::nullopt;
 }
 
-const std::string* CaseResults::name_of(const std::string& text) { return &*names_.insert(text).first; }
+Measure certified_level(const CaseResult& result) {
+  if (claim_of(result.outcome) != Claim::certified || !result.level) return std::nullopt;
+  return std::max(*result.level, result.measurable);
+}
+
+void OutcomeCounts::add(const CaseOutcome& outcome) {
+  const std::optional<Claim> claim = claim_of(outcome);
+  const bool refused = outcome.status == Status::not_applicable;
+  const bool is_followed = outcome.response && outcome.status == Status::converged;
+  ++cases;
+  not_applicable += refused ? 1 : 0;
+  followed += is_followed ? 1 : 0;
+  failed += !claim && !refused && !is_followed ? 1 : 0;
+  refuted += claim == Claim::refuted ? 1 : 0;
+  unproven += claim == Claim::unproven ? 1 : 0;
+  certified += claim == Claim::certified ? 1 : 0;
+  another_law += !refused && has_another_law(outcome) ? 1 : 0;
+  solved += is_solved(outcome) ? 1 : 0;
+  if (claim != Claim::certified) return;
+  if (const auto same = outcome.same_orbit) ++(*same ? same_orbit : other_orbit);
+  if (outcome.stable) ++(*outcome.stable ? stable : unstable);
+}
+
+OutcomeCounts counts_of(std::span<const CaseResult> results) {
+  OutcomeCounts counts;
+  for (const CaseResult& result : results) counts.add(result.outcome);
+  return counts;
+}
 
 }  // namespace signorini

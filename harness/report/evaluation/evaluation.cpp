@@ -1,12 +1,11 @@
 #include "harness/report/evaluation/evaluation.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <variant>
 
 #include "harness/isolation/freed_at_once.hpp"
-#include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/evaluation/case_result.hpp"
 #include "harness/run_folder/machine_load.hpp"
 #include "harness/run_folder/manifest_check.hpp"
 #include "harness/run_folder/record_store.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 
 namespace signorini {
 

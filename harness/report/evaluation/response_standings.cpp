@@ -14,49 +14,42 @@ namespace {
 
 using Responses = std::vector<const Record*>;
 
-/// What a method's responses add up to.
-class Sums {
- public:
-  explicit Sums(std::string label) { standing_.label = std::move(label); }
-
-  void add(const Record& record) {
-    if (record.status == Status::not_applicable || record.law_matches_scene == false) return;
-    ++standing_.asked;
-    if (record.status == Status::converged) ++standing_.followed;
-    if (!record.response->comparison) return;
-    const CurveComparison& c = *record.response->comparison;
-    covered_ += c.close.covered * c.exact_length;
-    length_ += c.length;
-    wrong_ += c.wide.false_share * c.length;
-    right_ += c.right_length;
-    standing_.located += located_points(c);
-    standing_.points += std::ssize(c.points);
-    standing_.invented += std::ssize(c.invented);
-    if (record.seconds) standing_.seconds = standing_.seconds.value_or(0.0) + record.seconds->median;
+/// What a method's responses of a kind add up to, whose exact branches have this length.
+ResponseStanding standing_of(const std::string& label, const Responses& responses, double exact_length) {
+  ResponseStanding standing{.label = label};
+  double covered = 0.0, length = 0.0, wrong = 0.0, right = 0.0;
+  for (const Record* record : responses) {
+    if (response_label(*record) != label || record->status == Status::not_applicable ||
+        record->law_matches_scene == false)
+      continue;
+    ++standing.asked;
+    if (record->status == Status::converged) ++standing.followed;
+    if (!record->response->comparison) continue;
+    const CurveComparison& c = *record->response->comparison;
+    covered += c.close.covered * c.exact_length;
+    length += c.length;
+    wrong += c.wide.false_share * c.length;
+    right += c.right_length;
+    standing.located += located_points(c);
+    standing.points += std::ssize(c.points);
+    standing.invented += std::ssize(c.invented);
+    if (record->seconds) standing.seconds = standing.seconds.value_or(0.0) + record->seconds->median;
     if (const auto largest = largest_error(c))
-      standing_.largest_error = std::max(standing_.largest_error.value_or(0.0), *largest);
+      standing.largest_error = std::max(standing.largest_error.value_or(0.0), *largest);
   }
-
-  [[nodiscard]] ResponseStanding standing(double exact_length) const {
-    ResponseStanding result = standing_;
-    if (exact_length > 0.0) result.found = covered_ / exact_length;
-    if (length_ > 0.0) result.false_share = wrong_ / length_;
-    if (right_ > 0.0 && result.seconds) result.cost = *result.seconds / right_;
-    return result;
-  }
-
- private:
-  ResponseStanding standing_;
-  double covered_ = 0.0, length_ = 0.0, wrong_ = 0.0, right_ = 0.0;
-};
+  if (exact_length > 0.0) standing.found = covered / exact_length;
+  if (length > 0.0) standing.false_share = wrong / length;
+  if (right > 0.0 && standing.seconds) standing.cost = *standing.seconds / right;
+  return standing;
+}
 
 /// By kResponseRule; null where none qualifies.
 ResponseStanding* best_standing(std::vector<ResponseStanding>& standings) {
   constexpr double kAsMuch = 0.05;
-  double most = 0.0;
   const auto qualifies = [](const ResponseStanding& one) {
     return !one.makes_the_exact && one.cost && one.score() > 0.0;
   };
+  double most = 0.0;
   for (const ResponseStanding& one : standings)
     if (qualifies(one)) most = std::max(most, one.score());
   ResponseStanding* best = nullptr;
@@ -91,10 +84,7 @@ ResponseGroup group_of_responses(std::optional<SceneKind> kind, const Responses&
       group.scenes.push_back(record->scene);
   const double exact = exact_length_of(responses);
   for (const std::string& label : labels) {
-    Sums sums(label);
-    for (const Record* record : responses)
-      if (response_label(*record) == label) sums.add(*record);
-    ResponseStanding standing = sums.standing(exact);
+    ResponseStanding standing = standing_of(label, responses, exact);
     standing.makes_the_exact = parse_method_label(label).method == exact_method;
     if (standing.asked > 0) group.standings.push_back(std::move(standing));
   }
@@ -141,7 +131,7 @@ std::vector<ResponseGroup> response_groups(std::span<const Record> records) {
   std::map<std::optional<SceneKind>, Responses> by_kind;
   for (const Record& record : records) {
     if (is_exact(record) || !compared.contains(record.scene)) continue;
-    by_kind[kind_of_scene(record.scene_law, record.coordinates, record.contacts)].push_back(&record);
+    by_kind[kind_of(case_scene_of(record))].push_back(&record);
   }
   const std::vector<std::string> labels = response_labels(records);
   std::vector<ResponseGroup> groups;

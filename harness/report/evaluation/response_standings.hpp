@@ -17,8 +17,8 @@ inline constexpr std::string_view kResponseRule =
     "Score of a method: the harmonic mean of two shares, of the exact branches that it finds and of its own "
     "branches that are not false. Recommended, over all responses of the kind: of the methods whose score is "
     "within 0.05 of the best, the one of the least time per length. A response counts as not found where a "
-    "method does not apply or represents another law. Kinds of fewer than three responses recommend "
-    "nothing. The method that computes the exact branches is the reference and is not ranked.";
+    "method does not apply or represents another law. Kinds of fewer than three responses recommend nothing. "
+    "The method that computes the exact branches is the reference and is not ranked.";
 
 /// Whether it is the exact response of its scene.
 bool is_exact(const Record& record);

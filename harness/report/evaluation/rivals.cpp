@@ -7,11 +7,11 @@
 #include <span>
 #include <utility>
 
+#include "harness/statistics.hpp"
+
 namespace signorini {
 
 namespace {
-
-const CaseChoice& choice_of(const ResolutionStudy& study) { return *study.runs.front().result->choice; }
 
 /// The least times on a scene to an error, infinite where it is not reached.
 struct LeastTimes {
@@ -47,15 +47,15 @@ void add(const LeastTimes& least, const ResolutionStudy& study, double error, Ri
   if (run == nullptr) return;
   ++times.reached;
   if (const auto is_stable = run->result->outcome.stable) ++(*is_stable ? times.stable : times.unstable);
-  if (std::isfinite(least.own) && least.own > 0.0 && seconds > 0.0) {
+  const auto comparable = [&](double other) { return std::isfinite(other) && other > 0.0 && seconds > 0.0; };
+  if (comparable(least.own)) {
     times.to_own.push_back(seconds / least.own);
-    if (const std::optional<long> points = run->result->work.points; points && *points > 0) {
-      times.points.push_back(*points);
-      times.per_point.push_back(times.to_own.back() / static_cast<double>(*points));
+    if (const long points = run->result->work.points.value_or(0); points > 0) {
+      times.points.push_back(points);
+      times.per_point.push_back(times.to_own.back() / static_cast<double>(points));
     }
   }
-  if (std::isfinite(least.plain) && least.plain > 0.0 && seconds > 0.0)
-    times.to_plain.push_back(seconds / least.plain);
+  if (comparable(least.plain)) times.to_plain.push_back(seconds / least.plain);
   if (least.is_fastest(study.configuration)) ++times.fastest;
 }
 
@@ -66,29 +66,47 @@ std::vector<Rival> rivals(const Evaluation& evaluation) {
   for (const std::string& scene : evaluation.scenes()) {
     if (evaluation.is_contact_free(scene)) continue;
     const std::span<const ResolutionStudy> studies = evaluation.studies_of(scene);
-    for (std::size_t e = 0; e < kRivalErrors.size(); ++e) {
-      const LeastTimes least = least_times(studies, kRivalErrors[e]);
+    for (std::size_t e = 0; e < kHeadlineErrors.size(); ++e) {
+      const LeastTimes least = least_times(studies, kHeadlineErrors[e]);
       for (const ResolutionStudy& study : studies) {
         if (study.eligibility != Eligibility::ranked || !choice_of(study).from_plugin ||
             evaluation.is_repeated(study))
           continue;
         Rival& rival = found[study.configuration];
         rival.configuration = study.configuration;
-        add(least, study, kRivalErrors[e], rival.at[e]);
+        add(least, study, kHeadlineErrors[e], rival.at[e]);
       }
     }
   }
   std::vector<Rival> result;
   for (auto& [configuration, rival] : found) {
     for (RivalTimes& times : rival.at) {
-      std::ranges::sort(times.to_own);
-      std::ranges::sort(times.to_plain);
-      std::ranges::sort(times.per_point);
+      for (auto* ratios : {&times.to_own, &times.to_plain, &times.per_point}) std::ranges::sort(*ratios);
       std::ranges::sort(times.points);
     }
     result.push_back(std::move(rival));
   }
   return result;
+}
+
+std::vector<HandOver> hand_overs(const Evaluation& evaluation) {
+  std::vector<std::pair<std::vector<double>, std::vector<double>>> times(evaluation.configurations().size());
+  for (const CaseResult& result : evaluation.results()) {
+    if (!result.seconds || !result.exchange) continue;
+    auto& [own, beside] = times[evaluation.place_of(result.choice->configuration)];
+    own.push_back(*result.seconds);
+    beside.push_back(*result.exchange);
+  }
+  std::vector<HandOver> found;
+  for (std::size_t place = 0; place < times.size(); ++place) {
+    const auto& [own, beside] = times[place];
+    if (own.empty()) continue;
+    found.push_back({.configuration = evaluation.configurations()[place],
+                     .cases = static_cast<int>(own.size()),
+                     .own = median(own),
+                     .beside = median(beside)});
+  }
+  return found;
 }
 
 }  // namespace signorini

@@ -9,9 +9,6 @@
 
 namespace signorini {
 
-/// Errors of x at which plugins are compared [-].
-inline constexpr std::array kRivalErrors{1e-2, 1e-6};
-
 /// What a configuration from a plugin does at an error, on the scenes that it is ranked on.
 struct RivalTimes {
   int scenes = 0;   ///< where it is ranked, whether it solves them or not
@@ -29,10 +26,10 @@ struct RivalTimes {
   int fastest = 0;                ///< where no other method of the run, plugins included, is as fast
 };
 
-/// A configuration from a plugin, at each of kRivalErrors.
+/// A configuration from a plugin, at each of kHeadlineErrors.
 struct Rival {
   std::string configuration = {};
-  std::array<RivalTimes, kRivalErrors.size()> at = {};
+  std::array<RivalTimes, kHeadlineErrors.size()> at = {};
 };
 
 /// Of each configuration from a plugin, in the order of configurations. A scene counts where the
@@ -40,5 +37,16 @@ struct Rival {
 /// error is not reached. Scenes that a motion without contact solves (Evaluation::is_contact_free) are left
 /// out.
 std::vector<Rival> rivals(const Evaluation& evaluation);
+
+/// A configuration whose cases tell their own time, medians over those that were timed.
+struct HandOver {
+  std::string configuration = {};
+  int cases = 0;
+  double own = 0.0;     ///< set-up and solve by the command's own account, as tables show them [s]
+  double beside = 0.0;  ///< writing the problem, waiting for and reading the answer of one solve [s]
+};
+
+/// Of each configuration with a record that has Seconds::exchange, in the order of configurations.
+std::vector<HandOver> hand_overs(const Evaluation& evaluation);
 
 }  // namespace signorini

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
 #include <variant>
 
 #include "harness/table.hpp"
@@ -13,6 +12,17 @@
 namespace signorini {
 
 namespace {
+
+/// Titles and words, in the order of SceneKind.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kKinds{
+    {{"Rigid stop (e = 1)", "rigid stops"},
+     {"Restitution (e < 1)", "restitution"},
+     {"Spring", "springs"},
+     {"Massless contact", "massless contacts"},
+     {"Mixed laws", "contacts of different laws"},
+     {"Many contacts (5 or more)", "many contacts"},
+     {"Large structure (100 coordinates or more)", "large structures"},
+     {"Motion without contact", "motions without contact"}}};
 
 std::optional<SceneKind> kind_of_law(const RepresentedLaw& law) {
   if (const auto* rigid = std::get_if<Restitution>(&law))
@@ -38,16 +48,6 @@ struct Contestant {
   Standing standing;
   std::vector<const ResolutionStudy*> studies = {};
 
-  /// All answers, scene by scene; empty where one of them is not known.
-  [[nodiscard]] std::string answers() const {
-    std::string text;
-    for (const ResolutionStudy* study : studies) {
-      const std::string of_scene = answers_of(*study);
-      if (of_scene.empty() && solved_runs(*study) > 0) return {};
-      if (!of_scene.empty()) text += study->scene + " " + of_scene;
-    }
-    return text;
-  }
   /// Whether its equations are those of another one wherever it has an answer.
   [[nodiscard]] bool has_equations_of(const Contestant& other) const {
     bool any = false;
@@ -77,7 +77,7 @@ void join_equal_results(std::vector<Contestant>& contestants) {
   std::vector<Contestant> joined;
   std::map<std::string, std::size_t> places;  // of answers
   for (Contestant& contestant : contestants) {
-    const std::string answers = contestant.answers();
+    const std::string answers = answers_of(contestant.studies);
     const auto known = answers.empty() ? places.end() : places.find(answers);
     const auto is_same = [&](const Contestant& other) {
       return ranking_reach(other.standing).scenes == ranking_reach(contestant.standing).scenes &&
@@ -140,30 +140,15 @@ void rank_contestants(std::vector<Contestant> contestants, SceneGroup& group) {
 
 }  // namespace
 
-std::string_view kind_title(SceneKind kind) {
-  constexpr std::array<std::string_view, 8> kTitles{"Rigid stop (e = 1)",
-                                                    "Restitution (e < 1)",
-                                                    "Spring",
-                                                    "Massless contact",
-                                                    "Mixed laws",
-                                                    "Many contacts (5 or more)",
-                                                    "Large structure (100 coordinates or more)",
-                                                    "Motion without contact"};
-  return kTitles.at(static_cast<std::size_t>(kind));
-}
+std::string_view kind_title(SceneKind kind) { return kKinds.at(static_cast<std::size_t>(kind)).first; }
 
-std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,
-                                       std::optional<int> coordinates, std::optional<int> contacts) {
-  const std::optional<SceneKind> by_law = law ? kind_of_law(*law) : std::nullopt;
-  if (!by_law) return std::nullopt;
-  if (by_law == SceneKind::mixed_laws) return by_law;
-  if (coordinates >= kLargeStructure) return SceneKind::large_structure;
-  if (contacts >= kManyContacts) return SceneKind::many_contacts;
-  return by_law;
-}
+std::string_view kind_words(SceneKind kind) { return kKinds.at(static_cast<std::size_t>(kind)).second; }
 
 std::optional<SceneKind> kind_of(const CaseScene& scene) {
-  return kind_of_scene(scene.law, scene.coordinates, scene.contacts);
+  const std::optional<SceneKind> by_law = scene.law ? kind_of_law(*scene.law) : std::nullopt;
+  if (!by_law || by_law == SceneKind::mixed_laws) return by_law;
+  if (scene.coordinates >= kLargeStructure) return SceneKind::large_structure;
+  return scene.contacts >= kManyContacts ? SceneKind::many_contacts : by_law;
 }
 
 std::optional<SceneKind> kind_of(const Evaluation& evaluation, const std::string& scene) {
@@ -197,11 +182,9 @@ std::vector<SceneGroup> scene_groups(const Evaluation& evaluation) {
     auto place = std::ranges::find(of_kind, study.configuration, [](const Contestant& contestant) {
       return contestant.standing.configuration;
     });
-    if (place == of_kind.end()) {
-      const CaseChoice& choice = *study.runs.front().result->choice;
-      place = of_kind.insert(of_kind.end(),
-                             {.standing = {.configuration = study.configuration, .method = choice.method}});
-    }
+    if (place == of_kind.end())
+      place = of_kind.insert(of_kind.end(), {.standing = {.configuration = study.configuration,
+                                                          .method = choice_of(study).method}});
     for (std::size_t i = 0; i < kGroupErrors.size(); ++i)
       place->standing.reach[i].add(study, kGroupErrors[i]);
     place->studies.push_back(&study);

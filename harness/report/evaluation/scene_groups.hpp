@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,22 +28,21 @@ enum class SceneKind {
 
 /// "Rigid stop (e = 1)" and so on.
 std::string_view kind_title(SceneKind kind);
+/// What the scenes of a kind have, as a sentence names it: "rigid stops".
+std::string_view kind_words(SceneKind kind);
 
 /// Contacts from which on they are many, and coordinates from which on a structure is large.
 inline constexpr int kManyContacts = 5, kLargeStructure = 100;
 
-/// The kind of a scene of this law; nothing where it has no contact or its law is not known. Where the
-/// numbers of coordinates and contacts are not known either, as in records of earlier versions, it goes by
-/// the law.
-std::optional<SceneKind> kind_of_scene(const std::optional<RepresentedLaw>& law,
-                                       std::optional<int> coordinates, std::optional<int> contacts);
-/// The kind of a scene, whatever its motions.
+/// The kind of a scene, whatever its motions; nothing where it has no contact or its law is not known. Where
+/// the numbers of coordinates and contacts are not known, as in records of earlier versions, it goes by the
+/// law.
 std::optional<SceneKind> kind_of(const CaseScene& scene);
 /// The kind of a scene of an evaluation: contact_free where it is that (Evaluation::is_contact_free).
 std::optional<SceneKind> kind_of(const Evaluation& evaluation, const std::string& scene);
 
 /// Errors of x that scene groups tell the times to [-].
-inline constexpr std::array kGroupErrors{1e-1, 1e-2, 1e-3, 1e-6};
+inline constexpr std::span kGroupErrors = std::span(kErrorLevels).first<4>();
 /// By which of them methods are ordered.
 inline constexpr std::size_t kRankingError = 1;
 /// Median times within this factor of the least are equal: less is noise of the machine and of the scenes.

@@ -11,12 +11,13 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
-#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/isolation/temporary_folder.hpp"
+#include "harness/schematic/drawing.hpp"
 
 namespace signorini {
 
@@ -81,8 +82,7 @@ std::string terminal_of(const Figure& figure, std::string_view format) {
       : format == "pdf"
           ? fmt::format("pdfcairo size {:.1f}cm,{:.1f}cm font 'sans,9'", figure.width, figure.height)
           : fmt::format(
-                "pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:g} linewidth {:g} "
-                "pointscale {:g}",
+                "pngcairo size {:.0f},{:.0f} font 'sans,9' fontscale {:g} linewidth {:g} pointscale {:g}",
                 kPixels * width, kPixels * height, kPixels, kPixels, kPixels);
   return terminal + " dashlength 0.7 rounded";
 }
@@ -213,6 +213,32 @@ void draw_figures(const fs::path& folder, std::span<const Figure> figures) {
     const fs::path file = folder / (figure.name + ".pdf");
     write_whole(file, without_date(read_file(file)));
   }
+}
+
+std::string panels(int rows, int columns, std::string_view layout) {
+  return fmt::format("set multiplot layout {},{}{}\n{}set tics font ',8'\nunset key\n", rows, columns, layout,
+                     kFrame);
+}
+
+std::optional<int> Canvas::add(const std::string& lines, std::string_view comment) {
+  if (lines.empty()) return std::nullopt;
+  if (!comment.empty()) data_ += fmt::format("# {}\n", comment);
+  data_ += lines + "\n\n";
+  return blocks_++;
+}
+
+void Canvas::plot(std::optional<int> block, std::string_view how) {
+  if (block) plot(fmt::format("data index {} {}", *block, how));
+}
+
+void Canvas::plot(std::string_view what) {
+  curves_ += curves_.empty() ? "plot " : ", \\\n  ";
+  curves_ += what;
+}
+
+std::string Canvas::panel() {
+  const std::string command = std::exchange(curves_, {});
+  return command.empty() ? "set xrange [0:1]\nset yrange [0:1]\nplot 2 notitle\n" : command + "\n";
 }
 
 }  // namespace signorini

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -61,5 +62,43 @@ std::string whole_script(const Figure& figure);
 
 /// A PDF with its date of creation set to the epoch, all bytes in their places.
 std::string without_date(std::string pdf);
+
+/// How gnuplot draws the line of a stop.
+inline constexpr std::string_view kStopStyle = "lc rgb '#D55E00' dt (12,6) lw 1.2";
+
+/// What panels have: a grid behind, two axes.
+inline constexpr std::string_view kFrame =
+    "set grid back lc rgb '#dddddd' lw 0.5\nset border 3\nset tics nomirror\n";
+
+/// Commands that begin panels of that look, with small numbers and no key, in a multiplot of so many rows and
+/// columns. \param layout  further words for it, " margins ..."
+std::string panels(int rows, int columns, std::string_view layout = {});
+
+/// Collects blocks of data, and for one panel after the other what is plotted in it.
+class Canvas {
+ public:
+  /// Adds a block, which gnuplot's `index` names; single blank lines in it part its pieces. Empty where there
+  /// is no line.
+  std::optional<int> add(const std::string& lines, std::string_view comment = {});
+  /// Plots a block in the panel that is begun: "using 1:2 with lines". Nothing where there is no block.
+  void plot(std::optional<int> block, std::string_view how);
+  /// Both at once.
+  void draw(const std::string& lines, std::string_view how, std::string_view comment = {}) {
+    plot(add(lines, comment), how);
+  }
+  /// Plots what is no data: a function, an entry of the key.
+  void plot(std::string_view what);
+
+  /// The command that plots the panel, and the next one begins. A panel without curves is an empty frame.
+  std::string panel();
+  /// All blocks.
+  [[nodiscard]] const std::string& data() const { return data_; }
+  /// Whether there is any block.
+  [[nodiscard]] bool empty() const { return blocks_ == 0; }
+
+ private:
+  std::string data_, curves_;
+  int blocks_ = 0;
+};
 
 }  // namespace signorini

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "harness/report/evaluation/response_standings.hpp"
-#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
@@ -15,50 +14,25 @@ namespace signorini {
 
 namespace {
 
-/// The parts of branches that are stable, or are not, as lines with gaps between them.
-std::string lines_of(const std::vector<DrawnBranch>& branches, bool stable) {
+/// The parts of branches that are stable, or are not, or all of them, as lines with gaps between them.
+std::string lines_of(const std::vector<DrawnBranch>& branches, std::optional<bool> stable = {}) {
   std::string lines;
   for (const DrawnBranch& branch : branches) {
     bool drawing = false;
+    const auto belongs = [&](std::size_t i) { return !stable || (branch.stable[i] == 1) == *stable; };
     for (std::size_t i = 0; i < branch.frequency.size(); ++i) {
       // A piece belongs to the kind of its first point, so that the kinds meet.
-      const bool here = (branch.stable[i] == 1) == stable;
-      const bool before = i > 0 && (branch.stable[i - 1] == 1) == stable;
-      if (here || before)
+      const bool drawn = belongs(i) || (i > 0 && belongs(i - 1));
+      if (drawn)
         lines += fmt::format("{:.8g} {:.6g}\n", branch.frequency[i], branch.amplitude[i]);
       else if (drawing)
         lines += "\n";
-      drawing = here || before;
+      drawing = drawn;
     }
     if (drawing) lines += "\n";
   }
   return lines;
 }
-
-/// All branches, with gaps between them.
-std::string lines_of(const std::vector<DrawnBranch>& branches) {
-  std::string lines;
-  for (const DrawnBranch& branch : branches) {
-    for (std::size_t i = 0; i < branch.frequency.size(); ++i)
-      lines += fmt::format("{:.8g} {:.6g}\n", branch.frequency[i], branch.amplitude[i]);
-    lines += "\n";
-  }
-  return lines;
-}
-
-constexpr double kUsualWidth = 18.0, kPanelHeight = 4.6;  // [cm]
-
-constexpr std::string_view kResponsePanels =
-    R"(set multiplot layout {},{} margins {:.2f},0.99,{:.4f},{:.4f} spacing 0.05,{:.4f}
-set grid back lc rgb '#dddddd' lw 0.5
-set border 3
-set tics nomirror
-set tics font ',8'
-set title font ',8' offset 0,-0.6
-set label 1 "amplitude [m] over frequency of the load [rad/s]; {}grey: exact, dashed where unstable; {}blue: by arc length; orange: by steps" at screen 0.5,{:.4f} center font ',8'
-set xrange [{:.8g}:{:.8g}]
-unset key
-)";
 
 bool moves(const Record& record) {
   return std::ranges::any_of(record.response->branches, [](const DrawnBranch& branch) {
@@ -86,31 +60,35 @@ Figure response_figure(const Record& exact, std::span<const Record> records, Col
   Canvas canvas;
   const auto stable = canvas.add(lines_of(exact.response->branches, true));
   const auto unstable = canvas.add(lines_of(exact.response->branches, false));
-  std::string panels;
+  std::string drawn;
   int count = 0;
   for (const Record& record : records) {
     if (is_exact(record) || record.scene != exact.scene || record.response->branches.empty()) continue;
-    panels += panel(record, exact, stable, unstable, canvas);
-    if (count++ == 0) panels += "unset label 1\n";  // once is enough
+    drawn += panel(record, exact, stable, unstable, canvas);
+    if (count++ == 0) drawn += "unset label 1\n";  // once is enough
   }
   const bool narrow = is_narrow(column);
   const int columns = narrow ? 1 : 3, rows = std::max(1, (count + columns - 1) / columns);
-  constexpr double kCaption = 0.4, kCaptionLines = 1.2;  // [cm]
-  const double more = narrow ? kCaptionLines - kCaption : 0.0, height = rows * kPanelHeight + more;
-  // Room for titles and numbers, in shares of the figure.
-  const double bottom = (1.3 + more) / height, top = 1.0 - 0.8 / height, between = 1.4 / height;
-  const double caption = (narrow ? kCaptionLines : kCaption) / height;
-  const char* const line_end = narrow ? "\\n" : "";
-  return {.name = exact.scene + "-response",
-          .caption = "Amplitude over the frequency of the load, " + exact.scene +
-                     ": exact branches grey, unstable parts dashed; curves by arc length blue, steps orange",
-          .script = fmt::format(kResponsePanels, rows, columns, narrow ? 0.14 : 0.07, bottom, top, between,
-                                line_end, line_end, caption, std::min(asked.from, asked.to),
-                                std::max(asked.from, asked.to)) +
-                    panels + "unset multiplot\n",
-          .data = canvas.data(),
-          .width = width_in(column, kUsualWidth),
-          .height = height};
+  // Room for what the colours mean below the panels, then for titles and numbers, in shares of the figure.
+  const double words = narrow ? 1.2 : 0.4, height = rows * 4.6 + words - 0.4;  // [cm]
+  const double bottom = (0.9 + words) / height, top = 1.0 - 0.8 / height, between = 1.4 / height;
+  const std::string layout = fmt::format(" margins {:.2f},0.99,{:.4f},{:.4f} spacing 0.05,{:.4f}",
+                                         narrow ? 0.14 : 0.07, bottom, top, between);
+  return {
+      .name = exact.scene + "-response",
+      .caption = "Amplitude over the frequency of the load, " + exact.scene +
+                 ": exact branches grey, unstable parts dashed; curves by arc length blue, steps orange",
+      .script =
+          panels(rows, columns, layout) +
+          fmt::format("set title font ',8' offset 0,-0.6\nset label 1 \"amplitude [m] over frequency of the "
+                      "load [rad/s]; {0}grey: exact, dashed where unstable; {0}blue: by arc length; orange: "
+                      "by steps\" at screen 0.5,{1:.4f} center font ',8'\nset xrange [{2:.8g}:{3:.8g}]\n",
+                      narrow ? "\\n" : "", words / height, std::min(asked.from, asked.to),
+                      std::max(asked.from, asked.to)) +
+          drawn + "unset multiplot\n",
+      .data = canvas.data(),
+      .width = width_in(column, 18.0),
+      .height = height};
 }
 
 }  // namespace

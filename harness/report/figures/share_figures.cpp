@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "harness/report/figures/canvas.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/figures/gnuplot.hpp"
 
@@ -22,9 +21,6 @@ set logscale x
 set xrange [{:.6e}:{:.6e}]
 set yrange [-0.02:1.02]
 set ytics 0,0.25,1
-set grid back lc rgb '#cccccc' lw 0.5
-set border 3
-set tics nomirror
 set format x '10^{{%T}}'
 set xlabel '{}'
 set ylabel '{}'
@@ -67,10 +63,11 @@ void draw_panels(const Evaluation& evaluation, const RankingGroup& group, Column
   const double key = key_height(group.configurations.size(), keys_beside);
   figure.width = width_in(column, 18.0);
   figure.height = (kPanel + kBelow + kAbove) * (narrow ? count : 1) + key;
-  figure.script =
-      fmt::format(kSharePanels, narrow ? count : 1, narrow ? 1 : count, narrow ? 0.23 : 0.11,
-                  (key + kBelow) / figure.height, 1.0 - kAbove / figure.height,
-                  narrow ? (kBelow + kAbove) / figure.height : 0.0, axes.begin, axes.end, axes.x, axes.y);
+  figure.script = std::string(kFrame) + fmt::format(kSharePanels, narrow ? count : 1, narrow ? 1 : count,
+                                                    narrow ? 0.23 : 0.11, (key + kBelow) / figure.height,
+                                                    1.0 - kAbove / figure.height,
+                                                    narrow ? (kBelow + kAbove) / figure.height : 0.0,
+                                                    axes.begin, axes.end, axes.x, axes.y);
   Canvas canvas;
   std::vector<KeyEntry> keys;
   for (const std::string& configuration : group.configurations) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "harness/report/document/lines.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/text/words.hpp"
 
@@ -60,21 +61,15 @@ std::optional<PowerOfTen> power_of_ten(std::string_view text, std::size_t begin)
 /// A cell as journals print it: 1.2e-03 as a power of ten, us as microseconds. Names of settings stay as they
 /// are typed.
 std::string latex_cell(const std::string& text) {
-  constexpr std::string_view kMicroseconds = " us";
-  const std::string spelled = latex_escaped(text);
-  if (text.find_first_of("[]=") != std::string::npos) return spelled;
+  if (text.find_first_of("[]=") != std::string::npos) return latex_escaped(text);
+  const std::string spelled = latex_escaped(with_unit_signs(text));
   std::string written;
   for (std::size_t i = 0; i < spelled.size();) {
-    const std::size_t after = i + kMicroseconds.size();
     if (const auto number = power_of_ten(spelled, i)) {
       written += number->exponent == "0"
                      ? std::string(number->mantissa)
                      : fmt::format("${}\\cdot10^{{{}{}}}$", number->mantissa, number->sign, number->exponent);
       i = number->end;
-    } else if (spelled.compare(i, kMicroseconds.size(), kMicroseconds) == 0 &&
-               (after == spelled.size() || !is_word(spelled[after]))) {
-      written += " $\\mu$s";
-      i = after;
     } else {
       written += spelled[i++];
     }
@@ -85,7 +80,7 @@ std::string latex_cell(const std::string& text) {
 }  // namespace
 
 std::string latex_escaped(const std::string& text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kSpelled{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kSpelled{
       {{"\\", "\\textbackslash{}"},
        {"{", "\\{"},
        {"}", "\\}"},
@@ -101,6 +96,7 @@ std::string latex_escaped(const std::string& text) {
        {"[", "{[}"},
        {"≠", "$\\neq$"},
        {"·", "$\\cdot$"},
+       {"µ", "$\\mu$"},
        {"\n", " "}}};
   std::string escaped;
   for (std::size_t i = 0; i < text.size();) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <map>
@@ -10,8 +9,8 @@
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/outcome.hpp"
-#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/evaluation/case_result.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 #include "harness/report/formats/formats.hpp"
 #include "harness/table.hpp"
 

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "harness/cluster/scripts.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
-#include "harness/report/evaluation/hand_over.hpp"
 #include "harness/report/evaluation/response_standings.hpp"
-#include "harness/report/formats/screen_groups.hpp"
+#include "harness/report/evaluation/rivals.hpp"
 #include "harness/text/words.hpp"
 
 namespace signorini {
@@ -36,7 +34,7 @@ ScreenLines listed(std::string text, const std::vector<std::string>& items) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string item = " " + items[i];
     const std::string rest = i + 1 == items.size() ? "" : fmt::format(" and {} more", items.size() - i - 1);
-    if (i > 0 && wrapped_lines(text + "," + item + rest, kScreenWidth).size() > kMostLines) {
+    if (i > 0 && wrapped_lines(text + "," + item + rest, kTerminalWidth).size() > kMostLines) {
       text += fmt::format(" and {} more", items.size() - i);
       break;
     }
@@ -79,11 +77,12 @@ ScreenLines failure_lines(const Evaluation& evaluation) {
   return listed("Failed or refuted:", items);
 }
 
-std::optional<Status> status_of_case(const Evaluation& evaluation, const std::string& case_id) {
+/// ": timeout"; nothing of a case that is not there.
+std::string status_of_case(const Evaluation& evaluation, const std::string& case_id) {
   const auto result = std::ranges::find(evaluation.results(), case_id, &CaseResult::case_id);
-  if (result != evaluation.results().end()) return result->outcome.status;
   const auto record = std::ranges::find(evaluation.responses(), case_id, &Record::case_id);
-  return record == evaluation.responses().end() ? std::nullopt : std::optional(record->status);
+  if (result != evaluation.results().end()) return fmt::format(": {}", status_name(result->outcome.status));
+  return record == evaluation.responses().end() ? "" : fmt::format(": {}", status_name(record->status));
 }
 
 ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std::string>& cases) {
@@ -95,9 +94,8 @@ ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std
                      Emphasis::bad}};
   const std::size_t shown = cases.size() <= kMostCases ? cases.size() : kMostCases - 1;
   for (std::size_t i = 0; i < shown; ++i) {
-    const std::optional<Status> found = status_of_case(evaluation, cases[i]);
-    const std::string status = found ? ": " + std::string(status_name(*found)) : "";
-    lines.push_back({clipped("  " + cases[i], kScreenWidth - status.size()) + status});
+    const std::string status = status_of_case(evaluation, cases[i]);
+    lines.push_back({clipped("  " + cases[i], kTerminalWidth - status.size()) + status});
   }
   if (shown < cases.size()) lines.push_back({fmt::format("  and {} more", cases.size() - shown)});
   return lines;
@@ -105,9 +103,9 @@ ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std
 
 /// `command` after `words`, in further lines where there is no room.
 ScreenLines command_lines(const std::string& words, const std::string& command) {
-  if (words.size() + 1 + command.size() <= kScreenWidth) return {{words + " " + command}};
+  if (words.size() + 1 + command.size() <= kTerminalWidth) return {{words + " " + command}};
   ScreenLines lines{{words}};
-  std::vector<std::string> parts = wrapped_lines(command, kScreenWidth - 4);
+  std::vector<std::string> parts = wrapped_lines(command, kTerminalWidth - 4);
   for (std::size_t i = 0; i < parts.size(); ++i)
     lines.push_back({"  " + parts[i] + (i + 1 < parts.size() ? " \\" : "")});
   return lines;
@@ -115,8 +113,7 @@ ScreenLines command_lines(const std::string& words, const std::string& command) 
 
 /// Of all certified motions, how many are stable.
 ScreenLines stability_lines(const Evaluation& evaluation) {
-  OutcomeCounts counts;
-  for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
+  const OutcomeCounts counts = counts_of(evaluation.results());
   if (counts.certified == 0) return {};
   return wrapped_text(
       fmt::format("Certified: an exact motion lies within 10 % of the result and has the same contacts ({}). "
@@ -174,8 +171,7 @@ std::string unsteady_remark(const Evaluation& evaluation) {
 }
 
 std::string counts_line(const Evaluation& evaluation) {
-  OutcomeCounts counts;
-  for (const CaseResult& result : evaluation.results()) counts.add(result.outcome);
+  OutcomeCounts counts = counts_of(evaluation.results());
   std::set<std::string_view> scenes(evaluation.scenes().begin(), evaluation.scenes().end());
   for (const Record& record : evaluation.responses()) {
     counts.add(outcome_of(record));
@@ -197,7 +193,7 @@ std::string screen_report(const Evaluation& evaluation, const ScreenContext& con
 }
 
 std::string scene_line(const std::string& scenes, const OutcomeCounts& counts) {
-  return clipped(scenes + ": " + counts_text(counts), kScreenWidth);
+  return clipped(scenes + ": " + counts_text(counts), kTerminalWidth);
 }
 
 }  // namespace signorini

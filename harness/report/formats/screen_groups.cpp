@@ -1,17 +1,17 @@
-#include "harness/report/formats/screen_groups.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
+#include "harness/report/evaluation/response_standings.hpp"
+#include "harness/report/formats/screen.hpp"
 #include "harness/text/words.hpp"
 
 namespace signorini {
@@ -29,7 +29,7 @@ class Columns {
     for (const SceneGroup& group : groups) scenes = std::max(scenes, group.scenes.size());
     count_width_ = static_cast<int>(std::max<std::size_t>(2, std::to_string(scenes).size()));
     const auto cell = static_cast<std::size_t>(1 + kTimeWidth + 1 + count_width_);
-    name_width_ = kScreenWidth - kGroupErrors.size() * cell - kUnstableWidth;
+    name_width_ = kTerminalWidth - kGroupErrors.size() * cell - kUnstableWidth;
   }
 
   [[nodiscard]] ScreenLine titles() const {
@@ -51,9 +51,9 @@ class Columns {
     const Emphasis emphasis = standing.recommended ? Emphasis::good : Emphasis::none;
     const std::string name = (standing.recommended ? "* " : "  ") + standing.names();
     if (name.size() <= name_width_)
-      return {{clipped(fmt::format("{:{}}{}", name, name_width_, figures), kScreenWidth), emphasis}};
-    return {{clipped(name, kScreenWidth), emphasis},
-            {clipped(std::string(name_width_, ' ') + figures, kScreenWidth), emphasis}};
+      return {{clipped(fmt::format("{:{}}{}", name, name_width_, figures), kTerminalWidth), emphasis}};
+    return {{clipped(name, kTerminalWidth), emphasis},
+            {clipped(std::string(name_width_, ' ') + figures, kTerminalWidth), emphasis}};
   }
 
  private:
@@ -61,58 +61,41 @@ class Columns {
   std::size_t name_width_ = 0;
 };
 
-/// Places of the standings in the order in which they get room: those recommended, then of each method the
-/// best.
+/// The standings in the order in which they get room, by their places: those recommended, then of each method
+/// the best.
 std::vector<std::size_t> order_of_room(const SceneGroup& group) {
-  std::vector<std::size_t> first, second;
   std::vector<std::string> methods;
+  std::vector<std::pair<int, std::size_t>> turns;
   for (std::size_t i = 0; i < group.standings.size(); ++i) {
-    const std::string& method = group.standings[i].method;
-    const bool seen = std::ranges::find(methods, method) != methods.end();
-    if (!seen) methods.push_back(method);
-    (seen ? second : first).push_back(i);
+    const Standing& standing = group.standings[i];
+    const bool seen = std::ranges::find(methods, standing.method) != methods.end();
+    if (!seen) methods.push_back(standing.method);
+    turns.emplace_back(seen ? 2 : standing.recommended ? 0 : 1, i);
   }
-  std::stable_partition(first.begin(), first.end(),
-                        [&](std::size_t i) { return group.standings[i].recommended; });
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
+  std::ranges::sort(turns);
+  std::vector<std::size_t> order;
+  for (const auto& [turn, place] : turns) order.push_back(place);
+  return order;
 }
 
 /// For each group the places of the standings for which there is room, shared out in turns, in their order.
 std::vector<std::vector<std::size_t>> share_out(std::span<const SceneGroup> groups, const Columns& columns,
                                                 std::size_t room) {
-  std::vector<std::vector<std::size_t>> orders, shown(groups.size());
-  std::size_t longest = 0;
-  for (const SceneGroup& group : groups) {
-    orders.push_back(order_of_room(group));
-    longest = std::max(longest, orders.back().size());
+  std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> queue;  // turn, group, place
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::vector<std::size_t> order = order_of_room(groups[g]);
+    for (std::size_t turn = 0; turn < order.size(); ++turn) queue.emplace_back(turn, g, order[turn]);
   }
-  for (std::size_t turn = 0; turn < longest; ++turn) {
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      if (turn >= orders[g].size()) continue;
-      const std::size_t place = orders[g][turn];
-      const std::size_t lines = columns.row(groups[g].standings[place]).size();
-      if (lines > room) room = 0;  // nor for any that comes after
-      if (room == 0) continue;
-      room -= lines;
-      shown[g].push_back(place);
-    }
+  std::ranges::sort(queue);
+  std::vector<std::vector<std::size_t>> shown(groups.size());
+  for (const auto& [turn, g, place] : queue) {
+    const std::size_t lines = columns.row(groups[g].standings[place]).size();
+    if (lines > room) break;  // nor is there any for those that come after
+    room -= lines;
+    shown[g].push_back(place);
   }
   for (std::vector<std::size_t>& places : shown) std::ranges::sort(places);
   return shown;
-}
-
-/// What the scenes of a kind have, as a sentence names it.
-std::string_view kind_words(SceneKind kind) {
-  constexpr std::array<std::string_view, 8> kWords{"rigid stops",
-                                                   "restitution",
-                                                   "springs",
-                                                   "massless contacts",
-                                                   "contacts of different laws",
-                                                   "many contacts",
-                                                   "large structures",
-                                                   "motions without contact"};
-  return kWords.at(static_cast<std::size_t>(kind));
 }
 
 /// "a, b and c".
@@ -182,7 +165,7 @@ ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<A
       ".");
   constexpr std::size_t kMostLines = 3;
   lines.resize(std::min(lines.size(), kMostLines));
-  for (ScreenLine& line : lines) line.text = clipped(line.text, kScreenWidth);
+  for (ScreenLine& line : lines) line.text = clipped(line.text, kTerminalWidth);
   return lines;
 }
 
@@ -213,6 +196,16 @@ ScreenLines advice_lines(std::vector<SceneGroup> groups) {
   return lines;
 }
 
+ScreenLine row_of(const ResponseStanding& one) {
+  constexpr std::size_t kName = 42;
+  const bool starred = one.recommended;
+  const std::string mark = one.makes_the_exact ? "=" : starred ? "*" : " ";
+  return {fmt::format("{} {:<{}}{:>6.1f} %{:>6.1f} %{:>9}{:>10}", mark, clipped(one.label, kName), kName,
+                      100.0 * one.found, 100.0 * one.false_share,
+                      fmt::format("{}/{}", one.located, one.points), one.cost ? time_text(*one.cost) : "-"),
+          starred ? Emphasis::good : Emphasis::none};
+}
+
 }  // namespace
 
 void append(ScreenLines& lines, ScreenLines more) {
@@ -221,7 +214,7 @@ void append(ScreenLines& lines, ScreenLines more) {
 
 ScreenLines wrapped_text(const std::string& text, Emphasis emphasis) {
   ScreenLines lines;
-  for (std::string& line : wrapped_lines(text, kScreenWidth)) lines.push_back({std::move(line), emphasis});
+  for (std::string& line : wrapped_lines(text, kTerminalWidth)) lines.push_back({std::move(line), emphasis});
   return lines;
 }
 
@@ -260,7 +253,7 @@ ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {
   for (const SceneGroup& group : groups) {
     titles.push_back(wrapped_text(verdict_title(group), Emphasis::title));
     titles.back().resize(std::min(titles.back().size(), kMostOfTitle));
-    for (ScreenLine& line : titles.back()) line.text = clipped(line.text, kScreenWidth);
+    for (ScreenLine& line : titles.back()) line.text = clipped(line.text, kTerminalWidth);
     taken += titles.back().size();
   }
   const std::vector<std::vector<std::size_t>> shown =
@@ -269,6 +262,30 @@ ScreenLines group_lines(const Evaluation& evaluation, std::size_t most) {
     append(lines, std::move(titles[g]));
     for (const std::size_t place : shown[g]) append(lines, columns.row(groups[g].standings[place]));
   }
+  return lines;
+}
+
+ScreenLines response_lines(const Evaluation& evaluation, std::size_t most) {
+  if (evaluation.responses().empty()) return {};
+  const std::vector<ResponseGroup> groups = response_groups(evaluation.responses());
+  if (groups.empty()) return wrapped_text("No method was compared with an exact response.");
+  ScreenLines lines = wrapped_text(
+      "Which method? Share of the exact branches found, of its own false, special points located, processor "
+      "time per length:");
+  lines.push_back({fmt::format("{:<44}{:>8}{:>8}{:>9}{:>10}", "", "found", "false", "located", "time")});
+  ScreenLines rule = wrapped_text(std::string(kResponseRule) + " It has the sign =.");
+  const std::size_t taken = lines.size() + rule.size() + 1;
+  const std::size_t rows = (most > taken ? most - taken : 0) / groups.size();
+  const std::size_t methods = std::max<std::size_t>(3, rows) - 1;  // beside the title
+  for (const ResponseGroup& group : groups) {
+    lines.push_back({group_title(group) + (group.is_too_small() ? fmt::format(": {}", kTooFewScenes) : ""),
+                     Emphasis::title});
+    for (const ResponseStanding& one :
+         std::span(group.standings).first(std::min(methods, group.standings.size())))
+      lines.push_back(row_of(one));
+  }
+  lines.push_back({});
+  append(lines, std::move(rule));
   return lines;
 }
 

@@ -8,12 +8,8 @@
 #include "harness/report/document/lines.hpp"
 #include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/formats/screen.hpp"
-#include "harness/report/formats/screen_groups.hpp"
-#include "harness/report/page/html.hpp"
-#include "harness/report/page/page_figures.hpp"
 #include "harness/report/page/page_parts.hpp"
 #include "harness/report/page/page_shell.hpp"
-#include "harness/report/page/response_parts.hpp"
 #include "harness/report/sections/sections.hpp"
 
 namespace signorini {

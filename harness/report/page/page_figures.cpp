@@ -1,17 +1,13 @@
-#include "harness/report/page/page_figures.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "harness/plan/plan.hpp"
-#include "harness/report/document/cells.hpp"
 #include "harness/report/figures/drawn_waveform.hpp"
-#include "harness/report/figures/kept_motions.hpp"
+#include "harness/report/page/page_parts.hpp"
+#include "harness/schematic/drawing.hpp"
 #include "harness/schematic/schematic.hpp"
-#include "harness/schematic/svg.hpp"
+#include "harness/text/words.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "problems/scene/scene_layout.hpp"
 
@@ -21,19 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of a profile over more scenes than this, steps below this share of them are drawn with the next one: they
+/// Of a profile over more scenes than this, steps below its share of them are drawn with the next one: they
 /// are less than a pixel.
 constexpr std::size_t kManySteps = 2000;
-constexpr double kLeastStep = 1.0 / kManySteps;
 
-/// With as many digits as a figure shows.
-double four_digits(double value) { return rounded(value, 4); }
-
-Json four_digits(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(four_digits(value));
-  return list;
-}
+constexpr int kDigits = 4;  // of numbers that a figure shows
 
 /// A study's part of work_precision_data; null without a run that has both error and time.
 Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
@@ -43,8 +31,8 @@ Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
     const std::optional<double> seconds = time_axis().cost(*run.result);
     if (!run.error || !seconds) continue;
     marked.push_back(&run);
-    marks.push_back({four_digits(*seconds), four_digits(*run.error), evaluation.place_of(*run.result),
-                     run.bounded ? 1 : 0, run.result->choice->resolution});
+    marks.push_back({rounded(*seconds, kDigits), rounded(*run.error, kDigits),
+                     evaluation.place_of(*run.result), run.bounded ? 1 : 0, run.result->choice->resolution});
   }
   if (marked.empty()) return {};
   for (const CurvePoint& point : pareto_curve(study, time_axis())) {
@@ -58,11 +46,11 @@ Json study_data(const Evaluation& evaluation, const ResolutionStudy& study) {
 }
 
 Json signals(const Waveform& motion, std::size_t place) {
-  return {{"t", four_digits(motion.t)},
-          {"x", four_digits(motion.x[place])},
-          {"v", four_digits(motion.velocity[place])},
-          {"f", four_digits(motion.force[place])},
-          {"p", four_digits(motion.impulse[place])}};
+  return {{"t", rounded(motion.t, kDigits)},
+          {"x", rounded(motion.x[place], kDigits)},
+          {"v", rounded(motion.velocity[place], kDigits)},
+          {"f", rounded(motion.force[place], kDigits)},
+          {"p", rounded(motion.impulse[place], kDigits)}};
 }
 
 }  // namespace
@@ -79,7 +67,7 @@ Json work_precision_data(const Evaluation& evaluation, const std::string& scene)
     (another_law ? other : own).push_back(std::move(data));
   }
   if (own.empty() && other.empty()) return {};
-  return {{"floor", four_digits(floor)}, {"own", std::move(own)}, {"other", std::move(other)}};
+  return {{"floor", rounded(floor, kDigits)}, {"own", std::move(own)}, {"other", std::move(other)}};
 }
 
 Json motion_data(const Evaluation& evaluation, const std::string& scene) {
@@ -97,7 +85,7 @@ Json motion_data(const Evaluation& evaluation, const std::string& scene) {
             {"orbit", signals(kept.orbit(), kept.place)},
             {"answers", std::move(answers)}};
   if (const std::optional<double> stop = stop_position(*kept.leader, kept.place))
-    data["stop"] = four_digits(*stop);
+    data["stop"] = rounded(*stop, kDigits);
   return data;
 }
 
@@ -134,9 +122,9 @@ Json profile_data(const Evaluation& evaluation, std::size_t number) {
       double drawn = 0.0;
       for (const double ratio : profile.ratios[c]) {
         const double share = profile.share(c, ratio);
-        if (many && share - drawn < kLeastStep && ratio < profile.ratios[c].back()) continue;
+        if (many && share - drawn < 1.0 / kManySteps && ratio < profile.ratios[c].back()) continue;
         drawn = share;
-        steps.push_back({four_digits(ratio), four_digits(share)});
+        steps.push_back({rounded(ratio, kDigits), rounded(share, kDigits)});
       }
       curves.push_back({{"c", evaluation.place_of(group.configurations[c])},
                         {"label", group.configurations[c]},

@@ -9,10 +9,7 @@
 #include "harness/report/document/cells.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/report/formats/screen.hpp"
-#include "harness/report/formats/screen_groups.hpp"
-#include "harness/report/page/html.hpp"
 #include "harness/report/page/page_shell.hpp"
-#include "harness/report/page/response_parts.hpp"
 
 namespace signorini {
 
@@ -64,14 +61,6 @@ std::string law_of_scene(const Evaluation& evaluation, const std::string& scene)
   return "not recorded";
 }
 
-/// The rows of a section that belong to a scene, its first column left out.
-void add_rows_of_scene(const Section& section, const std::string& scene, Table& table) {
-  if (table.header.empty()) table.header.assign(section.table.header.begin() + 1, section.table.header.end());
-  for (const auto& row : section.table.rows) {
-    if (row.front().text == scene) table.rows.emplace_back(row.begin() + 1, row.end());
-  }
-}
-
 /// The figures of a scene for which there are data.
 std::string charts_of(const std::string& scene, const Json& data) {
   std::string text;
@@ -83,13 +72,11 @@ std::string charts_of(const std::string& scene, const Json& data) {
   }
   if (!data["motion"].is_null()) {
     const int contact = data["motion"]["contact"];
-    text +=
-        chart("waveforms", scene, "Motion over a period, " + scene,
-              fmt::format(
-                  "One period at contact {}: the coarsest solved resolution of each method on the "
-                  "certified orbit, which is the broad grey line. Dashed: the stop. Impacts are jumps of the "
-                  "impulse; forces push the structure back: they are negative.",
-                  contact));
+    text += chart("waveforms", scene, "Motion over a period, " + scene,
+                  fmt::format("One period at contact {}: the coarsest solved resolution of each method on "
+                              "the certified orbit, which is the broad grey line. Dashed: the stop. Impacts "
+                              "are jumps of the impulse; forces push the structure back: they are negative.",
+                              contact));
     text += chart("portrait", scene, "Phase portrait, " + scene,
                   fmt::format("The same motions at contact {}, with the stop as a wall.", contact));
   }
@@ -109,6 +96,22 @@ std::vector<const Section*> of_kinds(std::span<const Section> sections,
   for (const Section& section : sections)
     if (std::ranges::find(kinds, section.kind) != kinds.end()) chosen.push_back(&section);
   return chosen;
+}
+
+Table rows_of_scene(std::span<const Section> sections, const std::string& id, const std::string& scene,
+                    const std::vector<std::string>& columns) {
+  Table table;
+  const auto section = std::ranges::find(sections, id, &Section::id);
+  if (section == sections.end()) return table;
+  const std::vector<std::string>& header = section->table.header;
+  table.header = columns.empty() ? std::vector(header.begin() + 1, header.end()) : columns;
+  for (const std::vector<Cell>& row : section->table.rows) {
+    if (row.front().text != scene) continue;
+    std::vector<Cell>& kept = table.rows.emplace_back();
+    for (const std::string& column : table.header)
+      kept.push_back(row[static_cast<std::size_t>(std::ranges::find(header, column) - header.begin())]);
+  }
+  return table;
 }
 
 std::optional<std::size_t> group_of(const Section& section) {
@@ -152,8 +155,7 @@ std::string verdict_of(const Evaluation& evaluation) {
     titles += "<th scope=\"col\" class=\"n\">unst.</th>";
     text += fmt::format(
         "<div class=\"table\"><table><caption>{}</caption><thead><tr><th "
-        "scope=\"col\">method</th>{}</tr></thead>"
-        "<tbody>\n",
+        "scope=\"col\">method</th>{}</tr></thead><tbody>\n",
         html_escaped(verdict_title(group)), titles);
     for (const Standing& standing : group.standings) text += standing_row(standing);
     text += "</tbody></table></div>\n";
@@ -166,8 +168,7 @@ std::string side_by_side(const Evaluation& evaluation) {
       "<section id=\"side-by-side\"><h2>Scenes side by side</h2>\n<p>Error of x against time, on the same "
       "axes. Each mark is one resolution of a method and leads to its record. Hollow marks: error too small "
       "to measure (below ten error bars of the orbit), not ranked. Names below switch methods off and on, in "
-      "every figure "
-      "of the page.</p>\n" +
+      "every figure of the page.</p>\n" +
       std::string(kMethodSwitches) + "<div class=\"scenes\">\n";
   for (const std::string& scene : evaluation.scenes()) {
     text += fmt::format("<div><h3><a href=\"#scene-{0}\">{0}</a></h3>", html_escaped(scene)) +
@@ -181,10 +182,10 @@ std::string section_of(const Section& section, const char* heading) {
       fmt::format("<section id=\"{0}\"><{2}>{1}</{2}>\n", section.id, html_escaped(section.title), heading);
   if (!section.text.empty()) text += fmt::format("<p>{}</p>\n", html_text(section.text));
   if (group_of(section)) {
-    text += kMethodSwitches +
-            chart("profile", std::to_string(*group_of(section)), section.title,
-                  "Share of all scenes that a method solves to the error above the panel within "
-                  "a factor of the time of the fastest. A failure is infinitely slow.");
+    text +=
+        kMethodSwitches + chart("profile", std::to_string(*group_of(section)), section.title,
+                                "Share of all scenes that a method solves to the error above the panel "
+                                "within a factor of the time of the fastest. A failure is infinitely slow.");
   }
   text += html_table(section.table, section.title);
   if (!section.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(section.note));
@@ -193,12 +194,13 @@ std::string section_of(const Section& section, const char* heading) {
 
 std::string scene_of(const std::string& scene, const Evaluation& evaluation,
                      std::span<const Section> sections, const Json& data) {
-  Table laws;
-  for (const Section* section : of_kinds(sections, {SectionKind::scenes}))
-    add_rows_of_scene(*section, scene, laws);
+  Table laws = rows_of_scene(sections, "scenes", scene);
+  const Table others = rows_of_scene(sections, "other-laws", scene);
+  if (laws.header.empty()) laws.header = others.header;
+  laws.rows.insert(laws.rows.end(), others.rows.begin(), others.rows.end());
   return fmt::format(
-             "<section class=\"scene\" id=\"scene-{0}\"><h3>{0}</h3>\n<p>The scene's law: {1}. {2} "
-             "<a href=\"#cases\" data-filter=\"{0}\">All runs on this scene</a>.</p>\n",
+             "<section class=\"scene\" id=\"scene-{0}\"><h3>{0}</h3>\n<p>The scene's law: {1}. {2} <a "
+             "href=\"#cases\" data-filter=\"{0}\">All runs on this scene</a>.</p>\n",
              html_escaped(scene), html_escaped(law_of_scene(evaluation, scene)),
              html_escaped(orbit_facts(evaluation, scene))) +
          (data["schematic"].is_null() ? ""
@@ -206,8 +208,7 @@ std::string scene_of(const std::string& scene, const Evaluation& evaluation,
          charts_of(scene, data) +
          (laws.rows.empty() ? ""
                             : "<p>The law that each method represents, how many of its resolutions are "
-                              "solved, and the time "
-                              "to each error of x and force:</p>\n" +
+                              "solved, and the time to each error of x and force:</p>\n" +
                                   html_table(laws, "Methods on " + scene)) +
          "</section>\n";
 }

@@ -1,5 +1,3 @@
-#include "harness/report/page/response_parts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include "harness/records/response_fields.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/report/evaluation/response_standings.hpp"
-#include "harness/report/page/html.hpp"
+#include "harness/report/page/page_parts.hpp"
 #include "harness/report/page/page_shell.hpp"
 #include "harness/text/words.hpp"
 
@@ -20,19 +18,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// With as many digits as a figure shows when it is enlarged.
-Json to_digits(const std::vector<double>& values, int digits) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(rounded(value, digits));
-  return list;
-}
-
 Json branch_data(const std::vector<DrawnBranch>& branches) {
-  constexpr int kFrequencyDigits = 8, kAmplitudeDigits = 6;
   Json list = Json::array();
   for (const DrawnBranch& branch : branches)
-    list.push_back({{"w", to_digits(branch.frequency, kFrequencyDigits)},
-                    {"a", to_digits(branch.amplitude, kAmplitudeDigits)},
-                    {"s", branch.stable}});
+    list.push_back(
+        {{"w", rounded(branch.frequency, 8)}, {"a", rounded(branch.amplitude, 6)}, {"s", branch.stable}});
   return list;
 }
 
@@ -58,33 +48,14 @@ std::optional<std::size_t> place_of_exact(const Evaluation& evaluation, const st
   return static_cast<std::size_t>(found - records.begin());
 }
 
-/// The rows of a section that belong to a scene, of these columns.
-Table rows_of_response(const Section& section, const std::string& scene,
-                       const std::vector<std::string>& columns) {
-  Table table{.header = columns, .rows = {}};
-  for (const std::vector<Cell>& row : section.table.rows) {
-    if (row.front().text != scene) continue;
-    std::vector<Cell>& kept = table.rows.emplace_back();
-    for (const std::string& column : columns)
-      kept.push_back(row[static_cast<std::size_t>(std::ranges::find(section.table.header, column) -
-                                                  section.table.header.begin())]);
-  }
-  return table;
-}
-
-/// A section that may have been left out for want of rows.
-Section section_called(std::span<const Section> sections, const std::string& id) {
-  const auto found = std::ranges::find(sections, id, &Section::id);
-  return found == sections.end() ? Section() : *found;
-}
-
 std::string facts_of_exact(const Record& exact, std::size_t place) {
   const RecordedResponse& response = *exact.response;
   const ResponseQuestion& asked = response.question;
   std::string text = fmt::format(
-      "<p>The <a href=\"#{}\">exact response</a> from {:.6g} to {:.6g} rad/s: {}, up to periods of {}",
+      "<p>The <a href=\"#{}\">exact response</a> from {:.6g} to {:.6g} rad/s: {} branch{}, up to periods of "
+      "{}",
       record_anchor(place), std::min(asked.from, asked.to), std::max(asked.from, asked.to),
-      std::ssize(response.branches) == 1 ? "1 branch" : fmt::format("{} branches", response.branches.size()),
+      response.branches.size(), response.branches.size() == 1 ? "" : "es",
       plural(asked.orders, "forcing period"));
   std::vector<std::string> open = response.open_ends;
   if (!exact.message.empty()) open.push_back(exact.message);
@@ -144,31 +115,23 @@ std::string response_of(const std::string& scene, const Evaluation& evaluation,
   if (const std::optional<std::size_t> exact = place_of_exact(evaluation, scene))
     text += facts_of_exact(evaluation.responses()[*exact], evaluation.place_of_response(*exact));
   if (!data.is_null())
-    text +=
-        std::string(kMethodSwitches) + "<div class=\"beside\">\n" +
-        chart(
-            "response", scene, "Amplitude over the frequency of the load, " + scene,
-            "Half the range of x of the contact that moves most. Broad and grey: the exact response; lines: "
-            "methods by arc length; dots: by steps of the frequency. Solid where stable, dashed where "
-            "unstable, thin where that is not known. Hollow marks are points that are not on the exact "
-            "response.");
+    text += std::string(kMethodSwitches) + "<div class=\"beside\">\n" +
+            chart("response", scene, "Amplitude over the frequency of the load, " + scene,
+                  "Half the range of x of the contact that moves most. Broad and grey: the exact response; "
+                  "lines: methods by arc length; dots: by steps of the frequency. Solid where stable, dashed "
+                  "where unstable, thin where that is not known. Hollow marks are points that are not on the "
+                  "exact response.");
   else
     text += "<div>\n";
-  text += html_table(
-              rows_of_response(section_called(sections, "response-cases"), scene,
-                               {"method", "other law", "found", "false", "located", "largest error", "time"}),
-              "Methods on " + scene) +
-          "</div>\n";
-  Table located = rows_of_response(section_called(sections, "located"), scene,
-                                   section_called(sections, "located").table.header);
-  if (!located.rows.empty()) {
-    located.header.erase(located.header.begin());
-    for (std::vector<Cell>& row : located.rows) row.erase(row.begin());
+  const Table cases =
+      rows_of_scene(sections, "response-cases", scene,
+                    {"method", "other law", "found", "false", "located", "largest error", "time"});
+  text += html_table(cases, "Methods on " + scene) + "</div>\n";
+  if (const Table located = rows_of_scene(sections, "located", scene); !located.rows.empty())
     text +=
         "<p>Special points of the exact response, and the relative error of the frequency at which each "
         "method located them:</p>\n" +
         html_table(located, "Special points of " + scene);
-  }
   return text + "</section>\n";
 }
 

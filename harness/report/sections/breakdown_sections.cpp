@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/outcome.hpp"
+#include "harness/report/evaluation/case_result.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/text/words.hpp"
 
@@ -102,12 +102,10 @@ Section breakdown_section(const Evaluation& evaluation, const Families& families
       .title = fmt::format("Severest level solved with errors of x and force within {:.0e}", error)};
   section.text =
       "Each family is driven from easy to impossible. A cell names the last of the levels whose law the "
-      "method "
-      "represents that it solves, at any of its resolutions, together with all easier ones; in brackets how "
-      "many "
-      "it solves if harder ones are among them. `≠`: levels whose scenes have another law than the method, "
-      "of "
-      "which it solves so many under its own; those that state the same problem to it count once.";
+      "method represents that it solves, at any of its resolutions, together with all easier ones; in "
+      "brackets how many it solves if harder ones are among them. `≠`: levels whose scenes have another law "
+      "than the method, of which it solves so many under its own; those that state the same problem to it "
+      "count once.";
   section.table = family_table(
       evaluation, families, [&](const Levels& levels) { return breakdown_cell(evaluation, levels, error); });
   return section;
@@ -142,7 +140,7 @@ Cell condition_cell(const Levels& levels) {
         largest = std::max(largest, run.result->condition.value_or(0.0));
     }
   }
-  return largest > 0.0 ? Cell(fmt::format("{:.0e}", largest), largest) : Cell("none");
+  return number_cell(largest > 0.0 ? Measure(largest) : Measure(), "{:.0e}", "none");
 }
 
 /// How ill-conditioned the equations become on the way, as far as answers go.
@@ -150,9 +148,9 @@ Section condition_section(const Evaluation& evaluation, const Families& families
   Section section{.id = "condition", .title = "Largest condition estimate of a certified answer"};
   section.text =
       "Of the linear system that a method solved last, in the 1-norm, scaled and preconditioned as the "
-      "method "
-      "does it, from Krylov steps a lower bound: the largest over the levels of a family on which its answer "
-      "is certified. Compare down a column. Its logarithm tells how many digits the answer may have lost.";
+      "method does it, from Krylov steps a lower bound: the largest over the levels of a family on which its "
+      "answer is certified. Compare down a column. Its logarithm tells how many digits the answer may have "
+      "lost.";
   section.table = family_table(evaluation, families, condition_cell);
   return section;
 }

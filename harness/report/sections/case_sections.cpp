@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/outcome.hpp"
-#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/evaluation/case_result.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/text/words.hpp"
 
@@ -21,9 +21,7 @@ Cell reached_cell(const Evaluation& evaluation, const ResolutionStudy& study, do
   const CurvePoint point = cost_to_error(study, time_axis(), error);
   if (point.run != nullptr)
     return {time_text(point.cost), point.cost, evaluation.place_of(*point.run->result)};
-  const bool reached = std::any_of(study.runs.begin(), study.runs.end(),
-                                   [&](const ScoredRun& run) { return run.error && *run.error <= error; });
-  return {reached ? "not timed" : "not reached", kNeverReached};
+  return {reaching_run(study, error) != nullptr ? "not timed" : "not reached", kNeverReached};
 }
 
 std::vector<Cell> study_row(const Evaluation& evaluation, const ResolutionStudy& study) {
@@ -58,16 +56,9 @@ std::string represented_text(const Record& record) {
   return law_text(*record.law) + (has_another_law(outcome_of(record)) ? " ≠ scene" : "");
 }
 
-/// Two digits, or why there is none.
-std::string energy_text(const Record& record) {
-  if (!claim_of(record)) return in_place(record);
-  return record.physics.energy_defect ? fmt::format("{:.1e}", *record.physics.energy_defect) : "not defined";
-}
-
 /// Two digits of a measure that not every answer has.
-Cell measure_cell(const Record& record, const Measure& measure) {
-  if (!claim_of(record)) return {in_place(record), kNeverReached};
-  return measure ? Cell(fmt::format("{:.1e}", *measure), *measure) : Cell("-", kNeverReached);
+Cell measure_cell(const Record& record, const Measure& measure, const std::string& missing = "-") {
+  return claim_of(record) ? number_cell(measure, "{:.1e}", missing) : Cell(in_place(record), kNeverReached);
 }
 
 /// The error of the contact force where it is a function, marked; else that of force and impulses, in records
@@ -91,7 +82,7 @@ Cell restitution_cell(const Record& record) {
 }
 
 /// Median time of a converged run; a wrong answer has no time. Else the status or the reason.
-Cell time_cell(const Record& record) {
+Cell median_time_cell(const Record& record) {
   if (record.status != Status::converged) return {in_place(record), kNeverReached};
   if (!record.seconds)
     return {record.not_timed.empty() ? "not timed" : "not timed: " + record.not_timed, kNeverReached};
@@ -106,18 +97,17 @@ Cell time_cell(const Record& record) {
 /// Of a converged run, the first set-up and solve of a process.
 Cell first_cell(const Record& record) {
   if (record.status != Status::converged) return {in_place(record), kNeverReached};
-  if (!record.seconds || !record.seconds->first) return {"-", kNeverReached};
-  return {time_text(*record.seconds->first), *record.seconds->first};
+  return time_cell(record.seconds ? record.seconds->first : Measure());
 }
 
 /// "12 p, 3 it, 186 points": pivots, iterations and points of a curve.
 std::string work_text(const Record& record) {
   const Work& work = record.work.counts;
-  std::string text;
-  if (work.pivots) text = fmt::format("{} p", *work.pivots);
-  if (work.iterations) text += fmt::format("{}{} it", text.empty() ? "" : ", ", *work.iterations);
-  if (work.points) text += fmt::format("{}{} points", text.empty() ? "" : ", ", *work.points);
-  if (!text.empty()) return text;
+  std::vector<std::string> counts;
+  for (const auto& [count, unit] :
+       {std::pair{work.pivots, "p"}, std::pair{work.iterations, "it"}, std::pair{work.points, "points"}})
+    if (count) counts.push_back(fmt::format("{} {}", *count, unit));
+  if (!counts.empty()) return joined(counts, ", ");
   return claim_of(record) ? "not counted" : in_place(record);
 }
 
@@ -135,15 +125,44 @@ std::vector<Cell> case_row(const Evaluation& evaluation, const CaseResult& resul
       measure_cell(record, record.physics.penetration),
       measure_cell(record, record.physics.complementarity),
       restitution_cell(record),
-      Cell(energy_text(record), record.physics.energy_defect.value_or(kNeverReached)),
-      time_cell(record),
+      measure_cell(record, record.physics.energy_defect, "not defined"),
+      median_time_cell(record),
       first_cell(record),
       work_text(record),
       orbit_text(record)};
 }
 
-constexpr std::string_view kLegend =
-    R"(error of x: relative L2 distance to the certified orbit of the law that
+/// Why a run did not converge or is not certified.
+std::string remark(const Record& record) {
+  const std::string& why = claim_of(record) == Claim::unproven ? record.certificate.reason : record.message;
+  return why.empty() ? "no message" : why;
+}
+
+}  // namespace
+
+Sections scene_sections(const Evaluation& evaluation) {
+  return {with_studies(evaluation, false,
+                       {.id = "scenes",
+                        .kind = SectionKind::scenes,
+                        .title = "Time to error, scene by scene",
+                        .text = "The time of the cheapest run whose error is at most that of the column. "
+                                "Solved: resolutions whose answer is certified."})};
+}
+
+Sections other_law_sections(const Evaluation& evaluation) {
+  return {with_studies(evaluation, true,
+                       {.id = "other-laws",
+                        .kind = SectionKind::scenes,
+                        .title = "Methods that represent another law",
+                        .text = "They solve another problem than the scene states: errors are those against "
+                                "the motion under their own law; they are in no ranking."})};
+}
+
+Sections case_sections(const Evaluation& evaluation) {
+  Section section{.id = "cases",
+                  .kind = SectionKind::cases,
+                  .title = "Every case",
+                  .note = R"(error of x: relative L2 distance to the certified orbit of the law that
 the method represents; `<`: below ten error bars of that orbit. `≠ scene`: the method represents another impact
 law than the scene states; then `off the scene's motion` is the same distance to the motion from rest under the
 scene's own law. error of force: of force and impulses with their instants, the worst contact, relative to the orbit's
@@ -160,42 +179,10 @@ law, or another one; stable where all Floquet multipliers lie inside the unit ci
 without contact where it touches nothing. The orbits are exact ones,
 polished from each answer and followed by CVODE for a period; where there is none, they come from the event-driven
 method by shooting at tolerance 1e-12. These two methods are judged by related computations: exact-orbit by a second
-evaluation of its orbit, and by CVODE to about 1e-10.)";
-
-/// Why a run did not converge or is not certified.
-std::string remark(const Record& record) {
-  const std::string& why = claim_of(record) == Claim::unproven ? record.certificate.reason : record.message;
-  return why.empty() ? "no message" : why;
-}
-
-}  // namespace
-
-Sections scene_sections(const Evaluation& evaluation) {
-  return {with_studies(
-      evaluation, false,
-      {.id = "scenes",
-       .kind = SectionKind::scenes,
-       .title = "Time to error, scene by scene",
-       .text = "The time of the cheapest run whose error is at most that of the column. Solved: resolutions "
-               "whose answer is certified."})};
-}
-
-Sections other_law_sections(const Evaluation& evaluation) {
-  return {with_studies(
-      evaluation, true,
-      {.id = "other-laws",
-       .kind = SectionKind::scenes,
-       .title = "Methods that represent another law",
-       .text = "They solve another problem than the scene states: errors are those against the motion under "
-               "their own law; they are in no ranking."})};
-}
-
-Sections case_sections(const Evaluation& evaluation) {
-  Section section{
-      .id = "cases", .kind = SectionKind::cases, .title = "Every case", .note = std::string(kLegend)};
+evaluation of its orbit, and by CVODE to about 1e-10.)"};
   section.table.header = split(
-      "scene|law|method|represents|status|error of x|off the scene's motion|error of force|penetration|"
-      "complementarity|restitution|energy defect|time|first|pivots, iterations|orbit",
+      "scene|law|method|represents|status|error of x|off the scene's motion|error of "
+      "force|penetration|complementarity|restitution|energy defect|time|first|pivots, iterations|orbit",
       '|');
   Rows rows(section, "all are in table.csv");
   for (const CaseResult& result : evaluation.results())

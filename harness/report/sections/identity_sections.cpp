@@ -1,7 +1,5 @@
 // Methods that solve the same equations: one result each, however many rows.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,21 +8,16 @@
 #include <vector>
 
 #include "harness/report/document/cells.hpp"
-#include "harness/report/evaluation/outcome.hpp"
-#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/evaluation/case_result.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "harness/statistics.hpp"
 #include "harness/text/words.hpp"
+#include "methods/catalogue.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr std::string_view kText = R"(The methods of a row solve the same equations where their options are
-equal: their rows are one result, not two that confirm each other. With impact closure they
-also run the same algorithm: do not compare their times. Differences are relative, of the errors of x, over
-the cases that both solve on the same orbit. Same answers: the methods give the same answers to the last bit in every
-case, whatever they say of their equations.)";
 
 /// Cases of two methods with equal equations.
 struct Pairs {
@@ -51,36 +44,22 @@ using PairsByConfigurations = std::map<std::pair<std::string, std::string>, Pair
 /// Adds pairs of configurations that nothing is said of, with the same answers to the last bit on every
 /// scene.
 void add_equal_answers(const Evaluation& evaluation, PairsByConfigurations& found) {
-  struct Answers {
-    std::string text = {};
-    int cases = 0;
-    bool known = true;
-  };
-  std::map<std::string, Answers> by_configuration;
-  for (const ResolutionStudy& study : evaluation.studies()) {
-    Answers& own = by_configuration[study.configuration];
-    const std::string answers = answers_of(study);
-    const auto claims = std::ranges::count_if(
-        study.runs, [](const ScoredRun& run) { return claim_of(run.result->outcome).has_value(); });
-    own.known = own.known && (claims == 0 || !answers.empty());
-    own.cases += static_cast<int>(claims);
-    if (claims > 0) own.text += study.scene + " " + answers;
-  }
-  std::map<std::string_view, std::string> first;  // with these answers
-  for (const auto& [configuration, own] : by_configuration) {
-    if (!own.known || own.cases == 0) continue;
-    const auto [place, fresh] = first.try_emplace(own.text, configuration);
+  std::map<std::string, std::vector<const ResolutionStudy*>> by_configuration;
+  for (const ResolutionStudy& study : evaluation.studies())
+    by_configuration[study.configuration].push_back(&study);
+  std::map<std::string, std::string> first;  // with these answers
+  for (const auto& [configuration, studies] : by_configuration) {
+    const std::string answers = answers_of(studies);
+    if (answers.empty()) continue;
+    const auto [place, fresh] = first.try_emplace(answers, configuration);
     if (fresh || found.contains({configuration, place->second}) ||
         found.contains({place->second, configuration}))
       continue;
+    std::ptrdiff_t cases = 0;
+    for (const ResolutionStudy* study : studies) cases += claimed_runs(*study);
     found[{configuration, place->second + " (same answers)"}] = {
-        .cases = own.cases, .differences = std::vector<double>(static_cast<std::size_t>(own.cases), 0.0)};
+        .cases = static_cast<int>(cases), .differences = std::vector(static_cast<std::size_t>(cases), 0.0)};
   }
-}
-
-Cell difference_cell(const Pairs& pairs, double difference) {
-  if (pairs.differences.empty()) return {"none to compare", kNeverReached};
-  return {fmt::format("{:.1e}", difference), difference};
 }
 
 }  // namespace
@@ -96,16 +75,37 @@ Sections identity_sections(const Evaluation& evaluation) {
   }
   add_equal_answers(evaluation, found);
   Section section{.id = "equal-equations", .title = "Equal equations"};
-  section.text = kText;
+  section.text = R"(The methods of a row solve the same equations where their options are
+equal: their rows are one result, not two that confirm each other. With impact closure they
+also run the same algorithm: do not compare their times. Differences are relative, of the errors of x, over
+the cases that both solve on the same orbit. Same answers: the methods give the same answers to the last bit in every
+case, whatever they say of their equations.)";
   section.table.header = split(
       "method|same equations as|cases|solved by one alone|on two orbits|median difference|largest difference",
       '|');
   for (const auto& [methods, pairs] : found) {
-    const auto& d = pairs.differences;
+    const std::vector<double>& d = pairs.differences;
+    const auto difference = [&](const auto& of) {
+      return number_cell(d.empty() ? Measure() : of(d), "{:.1e}", "none to compare");
+    };
     section.table.rows.push_back({methods.first, methods.second, count_cell(pairs.cases),
                                   count_cell(pairs.one_alone), count_cell(pairs.other_orbits),
-                                  difference_cell(pairs, d.empty() ? 0.0 : median(d)),
-                                  difference_cell(pairs, d.empty() ? 0.0 : std::ranges::max(d))});
+                                  difference(median), difference(std::ranges::max)});
+  }
+  return {std::move(section)};
+}
+
+Sections limit_sections(const Evaluation& evaluation) {
+  Section section{.id = "limits", .title = "Limits of the methods"};
+  section.text =
+      "The laws of the stop that each method of this run can represent (`restitution`: a rigid stop, "
+      "`penalty`: a spring, `massless`: contacts without mass), and what it cannot do. Options may change "
+      "both: `signorini show METHOD`.";
+  section.table.header = {"method", "laws", "limits"};
+  for (const MethodEntry& entry : method_catalogue()) {
+    const bool is_run = std::ranges::any_of(
+        evaluation.results(), [&](const CaseResult& result) { return result.choice->method == entry.name; });
+    if (is_run && !entry.limits.empty()) section.table.rows.push_back({entry.name, entry.laws, entry.limits});
   }
   return {std::move(section)};
 }

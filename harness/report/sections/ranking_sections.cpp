@@ -6,10 +6,12 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <ranges>
 #include <set>
 #include <utility>
 
 #include "harness/report/document/cells.hpp"
+#include "harness/report/document/lines.hpp"
 #include "harness/report/evaluation/scene_groups.hpp"
 #include "harness/report/figures/figures.hpp"
 #include "harness/report/sections/sections.hpp"
@@ -20,8 +22,6 @@ namespace signorini {
 
 namespace {
 
-/// Errors at which pairs and work are compared [-].
-constexpr std::array kHeadlineErrors{1e-2, 1e-6};
 /// Factors at which a table gives a profile [-].
 constexpr std::array kFactors{1.0, 2.0, 10.0};
 
@@ -38,7 +38,7 @@ std::string contest_title(const Evaluation& evaluation, const RankingGroup& grou
     words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
     title += words + ", ";
   }
-  return fmt::format("{}{} scene{}", title, group.scenes.size(), group.scenes.size() == 1 ? "" : "s");
+  return title + plural(std::ssize(group.scenes), "scene");
 }
 
 /// "All methods solve the impact law of these scenes, hat-lcp[plain=true] excepted.": the shorter of who
@@ -58,29 +58,10 @@ std::string contestants_text(const Evaluation& evaluation, const RankingGroup& g
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
 /// ranked.
 bool is_timed(const RankingGroup& group) {
-  const auto timed = [](const ScoredRun& run) { return run.result->seconds.has_value(); };
-  for (const std::vector<const ResolutionStudy*>& row : group.studies) {
-    for (const ResolutionStudy* study : row) {
-      if (std::any_of(study->runs.begin(), study->runs.end(), timed)) return true;
-    }
-  }
-  return false;
-}
-
-/// One section per group; `fill` does the rest.
-template <class Fill>
-Sections per_group(const Evaluation& evaluation, const std::string& id, const std::string& title,
-                   const Fill& fill) {
-  Sections sections;
-  for (std::size_t k = 0; k < evaluation.groups().size(); ++k) {
-    const RankingGroup& group = evaluation.groups()[k];
-    Section section{.id = fmt::format("{}-{}", id, k + 1),
-                    .title = fmt::format("{}: {}", title, contest_title(evaluation, group))};
-    fill(group, section);
-    if (!section.text.empty()) section.text = contestants_text(evaluation, group) + " " + section.text;
-    sections.push_back(std::move(section));
-  }
-  return sections;
+  return std::ranges::any_of(group.studies | std::views::join, [](const ResolutionStudy* study) {
+    return std::ranges::any_of(study->runs,
+                               [](const ScoredRun& run) { return run.result->seconds.has_value(); });
+  });
 }
 
 Cell share_cell(double share) { return {fmt::format("{:.0f} %", 100.0 * share), share}; }
@@ -94,26 +75,22 @@ std::ptrdiff_t runs_on_another_orbit(const std::vector<const ResolutionStudy*>& 
   return runs;
 }
 
-/// Contestants by rising mean.
-std::vector<std::size_t> order_by(const std::vector<double>& means) {
-  std::vector<std::size_t> order(means.size());
+/// Contestants by rising key.
+template <class Key>
+std::vector<std::size_t> order_by(std::size_t contestants, const Key& key) {
+  std::vector<std::size_t> order(contestants);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return means[a] < means[b]; });
+  std::ranges::stable_sort(order, {}, key);
   return order;
-}
-
-std::vector<double> means_of(const Costs& costs, double shift, double failure) {
-  std::vector<double> means;
-  for (const auto& row : costs) means.push_back(shifted_geometric_mean(row, shift, failure));
-  return means;
 }
 
 /// Whether the order of the means depends on the shift.
 bool order_depends_on_shift(const Costs& costs, double failure) {
-  const std::vector<std::size_t> order = order_by(means_of(costs, kMeanShift, failure));
-  return std::any_of(kMeanShifts.begin(), kMeanShifts.end(),
-                     [&](double shift) { return order_by(means_of(costs, shift, failure)) != order; });
+  const auto order = [&](double shift) {
+    return order_by(costs.size(),
+                    [&](std::size_t c) { return shifted_geometric_mean(costs[c], shift, failure); });
+  };
+  return std::ranges::any_of(kMeanShifts, [&](double shift) { return order(shift) != order(kMeanShift); });
 }
 
 void add_mean_rows(const RankingGroup& group, double error, double limit, Table& table) {
@@ -152,7 +129,7 @@ Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxi
   bool counted = false;
   for (const ResolutionStudy* study : studies) {
     costs.push_back(cost_to_error(*study, axis, error).cost);
-    counted = counted || std::any_of(study->runs.begin(), study->runs.end(), [&](const ScoredRun& run) {
+    counted = counted || std::ranges::any_of(study->runs, [&](const ScoredRun& run) {
                 return axis.cost(*run.result).has_value();
               });
   }
@@ -160,42 +137,6 @@ Cell work_cell(const std::vector<const ResolutionStudy*>& studies, const CostAxi
   const double middle = median(costs);
   return {std::isfinite(middle) ? fmt::format("{:.0f}", middle) : "half or more fail", middle};
 }
-
-constexpr std::string_view kTimeToErrorText = R"(On how many scenes a method gets its error down to that of
-the column at any of its resolutions, and the median over all scenes of the time of the cheapest that does.
-Nothing is interpolated; a scene that is not solved counts as infinite. Motions of the first column are told
-stable or not: no experiment shows an unstable one. Runs on another orbit: those that
-found another motion of the scene than the one reached from rest, which counts as well.)";
-
-constexpr std::string_view kMeansText =
-    R"(Times to error over all scenes. A failure counts as the time limit of
-{} in the shifted geometric means, as twice that in PAR2. Right: on how many of all scenes the method is the
-fastest, or within 2 or 10 times of it; a failure is infinitely slow.)";
-
-constexpr std::string_view kDistributionText =
-    R"(Share of all targets reached within a time, a target being a scene and one of the errors {}: the empirical
-distribution function of the time to a target [hansen2021], which weighs all errors alike and needs no fastest method. The last
-column: within the time limit.)";
-
-constexpr std::string_view kPairsText =
-    R"(Share of all scenes that the method of the row solves at least as fast
-as that of the column, the two alone: a joint profile of more than two methods tells only who is first. Methods that reach
-the error nowhere have no row. In brackets how many times as long the row takes, the median over the scenes that both
-solve. =: no difference; the two differ by less than 5 %, or by no more than chance would explain (signed ranks of the
-logarithms of their times, a failure being slower than any time; 5 % for all pairs of an error together, Holm's
-correction).)";
-
-constexpr std::string_view kWorkText =
-    R"(What the cheapest resolution by each count needs, the median over all
-scenes: counts that no noise touches. What an iteration or a pivot costs differs between methods; they compare
-runs of one kind.)";
-
-constexpr std::string_view kIntervalsText =
-    R"(How sure the verdict on these scenes is of others like them, to an error of {}: the scenes as a
-sample of 95 % confidence. Of the share that is solved Wilson's interval [wilson1927]; of the median time, a failure counting as
-infinite, that of the bootstrap over scenes [efron1979]. Best first, by scenes and then by time. Beside the best: no
-difference, where the times of the two differ by less than 5 % or by no more than chance would explain, as in the
-section pair by pair.)";
 
 /// "64 to 100 %".
 std::string interval_text(const Interval& share) {
@@ -214,23 +155,21 @@ Cell beside_best(const std::vector<double>& row, const std::vector<double>& best
   return {fewer > 0 ? fmt::format("{}, {} fewer solved", times, fewer) : times, ratio};
 }
 
-/// Configurations by the number of scenes they solve, then by their median time.
-std::vector<std::size_t> best_first(const Costs& costs) {
-  std::vector<std::size_t> order(costs.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(
-      order, {}, [&](std::size_t c) { return std::pair(-solved_count(costs[c]), median(costs[c])); });
-  return order;
-}
-
-void fill_intervals(const RankingGroup& group, Section& section) {
-  if (!is_timed(group) || group.scenes.size() < kFewestScenes || group.configurations.size() < 2) return;
+void fill_intervals(const RankingGroup& group, double /*limit*/, Section& section) {
+  if (group.scenes.size() < kFewestScenes || group.configurations.size() < 2) return;
   const double error = kGroupErrors[kRankingError];
-  section.text = fmt::format(kIntervalsText, error_title(error));
+  section.text = fmt::format(
+      R"(How sure the verdict on these scenes is of others like them, to an error of {}: the scenes as a
+sample of 95 % confidence. Of the share that is solved Wilson's interval [wilson1927]; of the median time, a failure counting as
+infinite, that of the bootstrap over scenes [efron1979]. Best first, by scenes and then by time. Beside the best: no
+difference, where the times of the two differ by less than 5 % or by no more than chance would explain, as in the
+section pair by pair.)",
+      error_title(error));
   section.table.header = {"method", "solved", "share, 95 %", "time, median", "time, 95 %", "beside the best"};
   const Costs costs = costs_to_error(group, time_axis(), error);
   const std::vector<std::vector<bool>> differ = different_costs(costs);
-  const std::vector<std::size_t> order = best_first(costs);
+  const std::vector<std::size_t> order = order_by(
+      costs.size(), [&](std::size_t c) { return std::pair(-solved_count(costs[c]), median(costs[c])); });
   for (const std::size_t c : order) {
     const std::ptrdiff_t solved = solved_count(costs[c]);
     if (solved == 0) continue;
@@ -245,9 +184,12 @@ void fill_intervals(const RankingGroup& group, Section& section) {
   }
 }
 
-void fill_time_to_error(const RankingGroup& group, Section& section) {
-  if (!is_timed(group)) return;
-  section.text = kTimeToErrorText;
+void fill_time_to_error(const RankingGroup& group, double /*limit*/, Section& section) {
+  section.text = R"(On how many scenes a method gets its error down to that of
+the column at any of its resolutions, and the median over all scenes of the time of the cheapest that does.
+Nothing is interpolated; a scene that is not solved counts as infinite. Motions of the first column are told
+stable or not: no experiment shows an unstable one. Runs on another orbit: those that
+found another motion of the scene than the one reached from rest, which counts as well.)";
   section.table.header = {"method"};
   for (const double error : kErrorLevels) section.table.header.push_back(error_title(error));
   section.table.header.insert(section.table.header.end(), {"stability", "runs on another orbit"});
@@ -267,8 +209,10 @@ void fill_time_to_error(const RankingGroup& group, Section& section) {
 }
 
 void fill_means(const RankingGroup& group, double limit, Section& section) {
-  if (!is_timed(group)) return;
-  section.text = fmt::format(kMeansText, time_text(limit));
+  section.text = fmt::format(R"(Times to error over all scenes. A failure counts as the time limit of
+{} in the shifted geometric means, as twice that in PAR2. Right: on how many of all scenes the method is the
+fastest, or within 2 or 10 times of it; a failure is infinitely slow.)",
+                             time_text(limit));
   section.table.header = {"error", "method", "solved"};
   for (const double shift : kMeanShifts)
     section.table.header.push_back(fmt::format("mean, shift {}", time_text(shift)));
@@ -278,12 +222,15 @@ void fill_means(const RankingGroup& group, double limit, Section& section) {
 }
 
 void fill_distribution(const RankingGroup& group, double limit, Section& section) {
-  if (!is_timed(group)) return;
   constexpr std::array kTimes{1e-4, 1e-3, 1e-2, 1.0};  // [s]
   std::vector<std::string> titles;
   for (const double error : kErrorLevels) titles.push_back(error_title(error));
   const Costs times = costs_to_targets(group, time_axis());
-  section.text = fmt::format(kDistributionText, joined(titles, ", "));
+  section.text = fmt::format(
+      R"(Share of all targets reached within a time, a target being a scene and one of the errors {}: the empirical
+distribution function of the time to a target [hansen2021], which weighs all errors alike and needs no fastest method. The last
+column: within the time limit.)",
+      joined(titles, ", "));
   section.table.header = {"method"};
   for (const double time : kTimes) section.table.header.push_back(time_text(time));
   section.table.header.emplace_back("ever");
@@ -306,10 +253,14 @@ Cell pair_cell(const std::vector<double>& row, const std::vector<double>& column
   return cell;
 }
 
-void fill_pairs(const RankingGroup& group, Section& section) {
-  if (!is_timed(group) || group.configurations.size() < 3)
-    return;  // the joint profile of two is the pairwise one
-  section.text = kPairsText;
+void fill_pairs(const RankingGroup& group, double /*limit*/, Section& section) {
+  if (group.configurations.size() < 3) return;  // the joint profile of two is the pairwise one
+  section.text = R"(Share of all scenes that the method of the row solves at least as fast
+as that of the column, the two alone: a joint profile of more than two methods tells only who is first. Methods that reach
+the error nowhere have no row. In brackets how many times as long the row takes, the median over the scenes that both
+solve. =: no difference; the two differ by less than 5 %, or by no more than chance would explain (signed ranks of the
+logarithms of their times, a failure being slower than any time; 5 % for all pairs of an error together, Holm's
+correction).)";
   section.table.header = {"error", "method"};
   section.table.header.insert(section.table.header.end(), group.configurations.begin(),
                               group.configurations.end());
@@ -317,7 +268,7 @@ void fill_pairs(const RankingGroup& group, Section& section) {
     const Costs costs = costs_to_error(group, time_axis(), error);
     const std::vector<std::vector<bool>> differ = different_costs(costs);
     for (std::size_t a = 0; a < costs.size(); ++a) {
-      if (std::ranges::none_of(costs[a], [](double cost) { return std::isfinite(cost); })) continue;
+      if (solved_count(costs[a]) == 0) continue;
       std::vector<Cell> row{Cell(error_title(error), -error), group.configurations[a]};
       for (std::size_t b = 0; b < costs.size(); ++b)
         row.push_back(a == b ? Cell("·") : pair_cell(costs[a], costs[b], differ[a][b]));
@@ -326,8 +277,10 @@ void fill_pairs(const RankingGroup& group, Section& section) {
   }
 }
 
-void fill_work(const RankingGroup& group, Section& section) {
-  section.text = kWorkText;
+void fill_work(const RankingGroup& group, double /*limit*/, Section& section) {
+  section.text = R"(What the cheapest resolution by each count needs, the median over all
+scenes: counts that no noise touches. What an iteration or a pivot costs differs between methods; they compare
+runs of one kind.)";
   section.table.header = {"error", "method"};
   for (const CostAxis& axis : work_axes()) section.table.header.emplace_back(axis.name);
   for (const double error : kHeadlineErrors) {
@@ -339,41 +292,39 @@ void fill_work(const RankingGroup& group, Section& section) {
   }
 }
 
+/// A table that each group has; `fill` leaves it without rows where the group cannot have it.
+struct RankingTable {
+  const char *id, *title;
+  bool of_times;
+  void (*fill)(const RankingGroup& group, double limit, Section& section);
+  Figure (*figure)(const Evaluation& evaluation, std::size_t group, Column column) = nullptr;
+};
+
+constexpr std::array kRankingTables{
+    RankingTable{"time-to-error", "Time to error", true, fill_time_to_error},
+    RankingTable{"intervals", "How sure the times are", true, fill_intervals},
+    RankingTable{"means", "Means and profiles", true, fill_means, profile_figure},
+    RankingTable{"distribution", "Time to a target", true, fill_distribution, distribution_figure},
+    RankingTable{"pairs", "Pair by pair", true, fill_pairs},
+    RankingTable{"work", "Work to error", false, fill_work}};
+
 }  // namespace
 
-Sections time_to_error_sections(const Evaluation& evaluation) {
-  return per_group(evaluation, "time-to-error", "Time to error", fill_time_to_error);
-}
-
-Sections interval_sections(const Evaluation& evaluation) {
-  return per_group(evaluation, "intervals", "How sure the times are", fill_intervals);
-}
-
-Sections mean_sections(const Evaluation& evaluation) {
-  Sections sections =
-      per_group(evaluation, "means", "Means and profiles", [&](const RankingGroup& group, Section& section) {
-        fill_means(group, evaluation.time_limit(), section);
-      });
-  for (std::size_t k = 0; k < sections.size(); ++k) sections[k].figures = {profile_figure(evaluation, k)};
+Sections ranking_sections(const Evaluation& evaluation) {
+  Sections sections;
+  for (const RankingTable& table : kRankingTables) {
+    for (std::size_t k = 0; k < evaluation.groups().size(); ++k) {
+      const RankingGroup& group = evaluation.groups()[k];
+      Section section{.id = fmt::format("{}-{}", table.id, k + 1),
+                      .title = fmt::format("{}: {}", table.title, contest_title(evaluation, group))};
+      if (!table.of_times || is_timed(group)) table.fill(group, evaluation.time_limit(), section);
+      if (section.table.rows.empty()) continue;
+      section.text = contestants_text(evaluation, group) + " " + section.text;
+      if (table.figure != nullptr) section.figures = {table.figure(evaluation, k, Column::own)};
+      sections.push_back(std::move(section));
+    }
+  }
   return sections;
-}
-
-Sections distribution_sections(const Evaluation& evaluation) {
-  Sections sections = per_group(evaluation, "distribution", "Time to a target",
-                                [&](const RankingGroup& group, Section& section) {
-                                  fill_distribution(group, evaluation.time_limit(), section);
-                                });
-  for (std::size_t k = 0; k < sections.size(); ++k)
-    sections[k].figures = {distribution_figure(evaluation, k)};
-  return sections;
-}
-
-Sections pairwise_sections(const Evaluation& evaluation) {
-  return per_group(evaluation, "pairs", "Pair by pair", fill_pairs);
-}
-
-Sections work_sections(const Evaluation& evaluation) {
-  return per_group(evaluation, "work", "Work to error", fill_work);
 }
 
 }  // namespace signorini

@@ -21,28 +21,7 @@ Cell percent_cell(std::optional<double> share) {
   return {fmt::format("{:.1f} %", 100.0 * *share), *share};
 }
 
-Cell seconds_cell(std::optional<double> seconds) {
-  return seconds ? Cell(time_text(*seconds), *seconds) : Cell("-");
-}
-
-Cell error_cell(std::optional<double> error) {
-  return error ? Cell(fmt::format("{:.1e}", *error), *error) : Cell("-");
-}
-
-/// The names and figures of a standing, or dashes.
-void add_standing(std::vector<Cell>& row, const ResponseStanding* standing) {
-  if (standing == nullptr) {
-    row.insert(row.end(), {"-", "-", "-", "-"});
-    return;
-  }
-  row.insert(row.end(), {standing->label, percent_cell(standing->found), percent_cell(standing->false_share),
-                         seconds_cell(standing->cost)});
-}
-
-const ResponseStanding* recommended_of(const ResponseGroup& group) {
-  const auto found = std::ranges::find_if(group.standings, &ResponseStanding::recommended);
-  return found == group.standings.end() ? nullptr : &*found;
-}
+Cell error_cell(std::optional<double> error) { return number_cell(error, "{:.1e}"); }
 
 /// The fastest curve of the method that the exact responses are made by.
 const ResponseStanding* reference_of(const ResponseGroup& group) {
@@ -54,27 +33,29 @@ const ResponseStanding* reference_of(const ResponseGroup& group) {
 }
 
 Section verdict_section(std::span<const ResponseGroup> groups) {
-  Section section{
-      .id = "response-verdict",
-      .title = "Which method for whole frequency responses",
-      .text = std::string(kResponseRule) + " Its time stands in the last column.",
-      .note =
-          "`found` is the share of the exact branches' length within 2 % of the method's, "
-          "`false` the share of the method's own that is farther than 5 % from every motion of the scene; "
-          "time is that of the processor per unit of right length."};
+  Section section{.id = "response-verdict",
+                  .title = "Which method for whole frequency responses",
+                  .text = std::string(kResponseRule) + " Its time stands in the last column.",
+                  .note =
+                      "`found` is the share of the exact branches' length within 2 % of the method's, "
+                      "`false` the share of the method's own that is farther than 5 % from every motion of "
+                      "the scene; time is that of the processor per unit of right length."};
   section.table.header = {
       "responses", "method", "found", "false", "time per length", "reference", "reference, time per length"};
   for (const ResponseGroup& group : groups) {
+    const auto best = std::ranges::find_if(group.standings, &ResponseStanding::recommended);
     std::vector<Cell>& row = section.table.rows.emplace_back();
     row.emplace_back(group_title(group));
-    if (group.is_too_small()) {
-      row.insert(row.end(), {std::string(kTooFewScenes), "-", "-", "-", "-", "-"});
-      continue;
-    }
-    add_standing(row, recommended_of(group));
-    const ResponseStanding* const reference = reference_of(group);
+    if (group.is_too_small())
+      row.insert(row.end(), {std::string(kTooFewScenes), "-", "-", "-"});
+    else if (best == group.standings.end())
+      row.insert(row.end(), 4, "-");
+    else
+      row.insert(row.end(), {best->label, percent_cell(best->found), percent_cell(best->false_share),
+                             time_cell(best->cost)});
+    const ResponseStanding* const reference = group.is_too_small() ? nullptr : reference_of(group);
     row.emplace_back(reference == nullptr ? "-" : reference->label);
-    row.push_back(seconds_cell(reference == nullptr ? std::nullopt : reference->cost));
+    row.push_back(time_cell(reference == nullptr ? std::nullopt : reference->cost));
   }
   return section;
 }
@@ -87,8 +68,8 @@ Section overview_section(std::span<const ResponseGroup> groups) {
           "By kinds of scenes, for the methods that represent their law, sums of length: `found` is the "
           "share of the exact branches within 2 % of the method's, `false` that of the method's own branches "
           "that is farther than 5 % from every exact one; `located` are folds, doublings and beginnings of "
-          "contact that it located itself, with the largest error of their frequency, `invented` those "
-          "that are not there; time is that of the processor, per unit of right length."};
+          "contact that it located itself, with the largest error of their frequency, `invented` those that "
+          "are not there; time is that of the processor, per unit of right length."};
   section.table.header = {"scenes",  "method",        "responses", "found", "false",
                           "located", "largest error", "invented",  "time",  "time per length"};
   for (const ResponseGroup& group : groups) {
@@ -98,37 +79,30 @@ Section overview_section(std::span<const ResponseGroup> groups) {
                                     count_cell(one.followed, one.asked), percent_cell(one.found),
                                     percent_cell(one.false_share), count_cell(one.located, one.points),
                                     error_cell(one.largest_error), count_cell(one.invented),
-                                    seconds_cell(one.seconds), seconds_cell(one.cost)});
+                                    time_cell(one.seconds), time_cell(one.cost)});
   }
   return section;
 }
 
-Cell leading_to(Cell cell, std::size_t place) {
-  cell.record = place;
-  return cell;
-}
-
-/// \param place  of the record in the report, where its cells lead
+/// \param place  of the record in the report, where one of its cells leads
 std::vector<Cell> case_row(const Record& record, std::size_t place) {
   const RecordedResponse& response = *record.response;
+  std::vector<Cell> row{record.scene, response_label(record), law_remark(record)};
   if (!response.comparison) {
-    const Cell status = leading_to(std::string(status_name(record.status)), place);
-    return {record.scene, response_label(record), law_remark(record), status, "-", "-", "-", "-", "-", "-",
-            "-",          record.message};
+    row.emplace_back(std::string(status_name(record.status))).record = place;
+    row.insert(row.end(), 7, "-");
+    row.emplace_back(record.message);
+    return row;
   }
   const CurveComparison& c = *response.comparison;
-  return {record.scene,
-          response_label(record),
-          law_remark(record),
-          count_cell(response.points),
-          leading_to(percent_cell(c.close.covered), place),
-          percent_cell(c.close.covered_stable),
-          percent_cell(c.wide.covered),
-          percent_cell(c.wide.false_share),
-          count_cell(located_points(c), std::ssize(c.points)),
-          error_cell(largest_error(c)),
-          seconds_cell(record.seconds ? std::optional(record.seconds->median) : std::nullopt),
-          joined(response.open_ends, "; ")};
+  row.push_back(count_cell(response.points));
+  row.emplace_back(percent_cell(c.close.covered)).record = place;
+  row.insert(row.end(), {percent_cell(c.close.covered_stable), percent_cell(c.wide.covered),
+                         percent_cell(c.wide.false_share),
+                         count_cell(located_points(c), std::ssize(c.points)), error_cell(largest_error(c)),
+                         time_cell(record.seconds ? Measure(record.seconds->median) : Measure()),
+                         joined(response.open_ends, "; ")});
+  return row;
 }
 
 Section case_section(const Evaluation& evaluation) {
@@ -137,10 +111,8 @@ Section case_section(const Evaluation& evaluation) {
                   .title = "Each response",
                   .text =
                       "`found` within 2 %, of the stable part alone, of all orders, and within 5 %; `false` "
-                      "beyond 5 % of "
-                      "every motion of the scene. "
-                      "`other law`: the method represents that law instead of the scene's, and its branches "
-                      "count in no sum."};
+                      "beyond 5 % of every motion of the scene. `other law`: the method represents that law "
+                      "instead of the scene's, and its branches count in no sum."};
   section.table.header = {"scene",        "method", "other law", "points",        "found", "found, stable",
                           "found in 5 %", "false",  "located",   "largest error", "time",  "left open"};
   const std::span<const Record> records = evaluation.responses();
@@ -161,13 +133,13 @@ Cell located_cell(const Record& record, std::size_t point) {
 }
 
 Section located_section(const Evaluation& evaluation) {
-  Section section{.id = "located",
-                  .kind = SectionKind::responses,
-                  .title = "Folds, doublings and beginnings of contact",
-                  .text =
-                      "Where they are on the exact branches, and the relative error of the frequency at "
-                      "which a method located each, with the law in parentheses where it represents another "
-                      "one; `-` where it did not."};
+  Section section{
+      .id = "located",
+      .kind = SectionKind::responses,
+      .title = "Folds, doublings and beginnings of contact",
+      .text =
+          "Where they are on the exact branches, and the relative error of the frequency at which a method "
+          "located each, with the law in parentheses where it represents another one; `-` where it did not."};
   const std::vector<std::string> methods = response_labels(evaluation.responses());
   section.table.header = {"scene", "point", "order", "omega [rad/s]"};
   section.table.header.insert(section.table.header.end(), methods.begin(), methods.end());
@@ -196,10 +168,10 @@ Section open_section(const Evaluation& evaluation) {
       .kind = SectionKind::responses,
       .title = "The exact responses, and where they are not known to be whole",
       .text =
-          "A method is measured against the branches that are known: those of motions of up to six "
-          "periods of the load on scenes of at most ten coordinates, of up to the order asked for "
-          "on others. They begin at answers, at orbits of one impact, and at the motions that "
-          "starts settle to; orbits found by steps that lie on none of them count too."};
+          "A method is measured against the branches that are known: those of motions of up to six periods "
+          "of the load on scenes of at most ten coordinates, of up to the order asked for on others. They "
+          "begin at answers, at orbits of one impact, and at the motions that starts settle to; orbits found "
+          "by steps that lie on none of them count too."};
   section.table.header = {"scene", "from", "to", "orders", "branches", "points", "left open"};
   for (const Record& record : evaluation.responses()) {
     if (!is_exact(record)) continue;

@@ -60,26 +60,12 @@ Sections rival_sections(const Evaluation& evaluation);
 /// Of methods that are commands and tell their own time, what passes beside it. Empty where there is none.
 Sections hand_over_sections(const Evaluation& evaluation);
 
-// Rankings: one section per group of configurations that are compared.
-
-/// How many scenes each configuration solves to each error, and the median time.
-Sections time_to_error_sections(const Evaluation& evaluation);
-
-/// Intervals of confidence of shares and median times at the error of the verdict, and which methods differ
-/// from the best.
-Sections interval_sections(const Evaluation& evaluation);
-
-/// Shifted geometric means, PAR2 and shares of the joint performance profile, with its figure.
-Sections mean_sections(const Evaluation& evaluation);
-
-/// Performance profiles of two configurations at a time.
-Sections pairwise_sections(const Evaluation& evaluation);
-
-/// Of each group the shares of targets, a scene and an error each, that a method reaches within times.
-Sections distribution_sections(const Evaluation& evaluation);
-
-/// Counts of work to each error.
-Sections work_sections(const Evaluation& evaluation);
+/// Rankings, of each table one section for every group of configurations that are compared: how many scenes
+/// each solves to each error and the median time; intervals of confidence of shares and median times at the
+/// error of the verdict; shifted geometric means, PAR2 and shares of the joint performance profile; shares of
+/// targets, a scene and an error each, reached within times; performance profiles of two at a time; counts of
+/// work to each error.
+Sections ranking_sections(const Evaluation& evaluation);
 
 /// Time to error, scene by scene, of configurations that represent the law of the scene.
 Sections scene_sections(const Evaluation& evaluation);

@@ -24,11 +24,16 @@ TEST(DrawnStops, AreThoseOfTheSameDisplacementEitherWay) {
   EXPECT_EQ(stops_of(between_walls(), 1).size(), 1U);
 }
 
-TEST(DrawnStops, StretchTheRange) {
+TEST(DrawnStops, StandAsWallsInARangeThatHoldsThem) {
   const std::vector<DrawnStop> stops = stops_of(between_walls(), 0);
-  EXPECT_EQ(range_with({-0.25, 0.25}, stops), 1.25);
-  EXPECT_EQ(range_with({-2.0, 2.0}, stops), 4.0);
-  EXPECT_NE(wall_commands(stops).find("set arrow from -0.75, graph 0 to -0.75, graph 1"), std::string::npos);
+  const std::vector<double> inside{-0.25, 0.25}, beyond{-2.0, 2.0};
+  const std::string commands = abscissa_commands(inside, stops, 5);
+  EXPECT_TRUE(commands.starts_with("set xtics 0.5\n")) << commands;  // over 1.25
+  EXPECT_TRUE(abscissa_commands(beyond, stops, 5).starts_with("set xtics 1\n"));
+  EXPECT_NE(commands.find("set arrow from -0.75, graph 0 to -0.75, graph 1"), std::string::npos) << commands;
+  Canvas canvas;
+  draw_stops(stops, canvas);
+  EXPECT_NE(canvas.panel().find("-0.75 with lines"), std::string::npos);
 }
 
 }  // namespace

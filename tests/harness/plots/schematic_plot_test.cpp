@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "harness/files.hpp"
+#include "harness/schematic/drawing.hpp"
 #include "harness/schematic/schematic.hpp"
-#include "harness/schematic/svg.hpp"
 #include "problems/scene/scene_layout.hpp"
 #include "tests/harness/program.hpp"
 #include "tests/problems/temporary_folder.hpp"

@@ -43,12 +43,20 @@ TEST(PairStops, CloseWithTheCoordinateOfPositiveFactor) {
   EXPECT_EQ(other_stops(four_contacts()), 1);  // the last one, closed by both
 }
 
+/// One contact of this gap.
+Problem with_gap(double gap) {
+  Problem problem;
+  problem.contacts = {{.normal = {{0, 1.0}}, .gap = gap}};
+  return problem;
+}
+
 TEST(DrawnGap, TellsOpenFromClosedAndKeepsTheOrder) {
-  EXPECT_EQ(drawn_gap(0.0, 1.0), 0.0);
-  EXPECT_EQ(drawn_gap(-0.5, 1.0), 0.0);
-  EXPECT_GT(drawn_gap(1e-9, 1.0), 0.1);
-  EXPECT_GT(drawn_gap(1.0, 1.0), drawn_gap(0.5, 1.0) + 0.1);
-  EXPECT_EQ(drawn_gap(1e-6, 1e-6), drawn_gap(1.0, 1.0));  // of the scale of the scene
+  const Problem problem = with_gap(1.0);
+  EXPECT_EQ(drawn_gap(0.0, problem), 0.0);
+  EXPECT_EQ(drawn_gap(-0.5, problem), 0.0);
+  EXPECT_GT(drawn_gap(1e-9, problem), 0.1);
+  EXPECT_GT(drawn_gap(1.0, problem), drawn_gap(0.5, problem) + 0.1);
+  EXPECT_EQ(drawn_gap(1e-6, with_gap(1e-6)), drawn_gap(1.0, problem));  // of the scale of the scene
 }
 
 TEST(LoadText, HasTheTermsOfOneCoordinate) {
@@ -84,6 +92,23 @@ TEST(MotionNote, TellsFrequencyOrderAndLaw) {
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, stop of 100 … 100000 N/m");
   problem.frame = {{.dof = 0, .cos = 0.1}};
   EXPECT_EQ(motion_note(problem), "ω = 2.2 rad/s, order 3, stop of 100 … 100000 N/m, moving stops");
+}
+
+TEST(MeshLines, AreAllInnerNodesOfCoarseMeshesAndNeverMoreThanForty) {
+  EXPECT_EQ(mesh_lines(4), (std::vector{0.25, 0.5, 0.75}));
+  EXPECT_TRUE(mesh_lines(1).empty());
+  for (const int elements : {41, 200, 10000, 99999}) {
+    const auto lines = mesh_lines(elements);
+    EXPECT_LE(lines.size(), 40U) << elements;
+    EXPECT_GE(lines.size(), 19U) << elements;
+    EXPECT_LT(lines.back(), 1.0);
+  }
+}
+
+TEST(ElementsText, TellsWhatIsLeftOut) {
+  EXPECT_EQ(elements_text(1), "1 element");
+  EXPECT_EQ(elements_text(40), "40 elements");
+  EXPECT_EQ(elements_text(10000), "10000 elements (a line every 250)");
 }
 
 }  // namespace

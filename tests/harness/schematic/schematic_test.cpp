@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "harness/schematic/svg.hpp"
+#include "harness/schematic/drawing.hpp"
 #include "problems/scene/scene_layout.hpp"
 #include "tests/problems/temporary_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "harness/report/evaluation/work_precision.hpp"
+#include "harness/report/evaluation/resolution_study.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini::ranking_test {

@@ -7,7 +7,6 @@
 #include <regex>
 #include <sstream>
 
-#include "harness/report/formats/screen_groups.hpp"
 #include "harness/run_folder/record_store.hpp"
 #include "tests/harness/sample_records.hpp"
 #include "tests/harness/stored_records.hpp"
@@ -33,7 +32,7 @@ void expect_one_screen(const std::string& text) {
   const std::vector<std::string> lines = lines_of(text);
   EXPECT_LE(lines.size(), kScreenLines) << text;
   EXPECT_TRUE(text.ends_with('\n'));
-  for (const std::string& line : lines) EXPECT_LE(line.size(), kScreenWidth) << line;
+  for (const std::string& line : lines) EXPECT_LE(line.size(), kTerminalWidth) << line;
   EXPECT_EQ(text.find('\033'), std::string::npos) << text;
 }
 
@@ -265,7 +264,7 @@ TEST(SceneLine, CountsWhatBecameOfTheCases) {
   for (const Record& record : test::records_of_every_status()) counts.add(outcome_of(record));
   EXPECT_EQ(scene_line("s", counts),
             "s: 10 cases, 1 certified, 1 unproven, 1 refuted, 6 failed, 1 not applicable");
-  EXPECT_EQ(scene_line(std::string(200, 's'), counts).size(), kScreenWidth);
+  EXPECT_EQ(scene_line(std::string(200, 's'), counts).size(), kTerminalWidth);
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "harness/report/page/page_figures.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "harness/plan/plan.hpp"
+#include "harness/report/page/page_parts.hpp"
 #include "problems/scene/scene_file.hpp"
 #include "tests/harness/sample_records.hpp"
 

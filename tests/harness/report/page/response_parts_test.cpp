@@ -1,10 +1,9 @@
-#include "harness/report/page/response_parts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "harness/report/page/page.hpp"
+#include "harness/report/page/page_parts.hpp"
 #include "harness/report/sections/sections.hpp"
 #include "tests/harness/responses/sample_responses.hpp"
 #include "tests/harness/sample_records.hpp"

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "harness/report/sections/sections.hpp"
+#include "methods/catalogue.hpp"
 #include "tests/harness/sample_records.hpp"
 
 namespace signorini::identity_sections_test {
@@ -52,6 +55,24 @@ TEST(IdentitySections, KnowNothingThatTheRecordsDoNotSay) {
   std::vector<Record> records{run("a", "aft", 10, 0.1), run("a", "projected", 10, 0.1)};
   records[0].same_equations_as.clear();
   EXPECT_TRUE(row_of(records).empty());
+}
+TEST(LimitSections, AreThoseOfTheMethodsOfTheRunThatTheProgramKnows) {
+  const std::vector<Record> records{test::good_record("s", "hat-lcp", "samples=64", 1e-2, 1.0),
+                                    test::good_record("s", "hat-lcp", "samples=128", 1e-2, 1.0),
+                                    test::good_record("s", "unknown", "n=1", 1e-2, 1.0)};
+  const Table table = limit_sections(Evaluation(records)).front().table;
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0][0].text, "hat-lcp");
+  EXPECT_EQ(table.rows[0][1].text, find_method("hat-lcp").laws);
+  EXPECT_EQ(table.rows[0][2].text, find_method("hat-lcp").limits);
+  EXPECT_NE(table.rows[0][2].text.find("First order"), std::string::npos);
+}
+
+TEST(LimitSections, AreStatedByEveryMethodOfTheProgram) {
+  for (const MethodEntry& entry : method_catalogue()) {
+    EXPECT_TRUE(entry.limits.ends_with('.')) << entry.name << ": " << entry.limits;
+    EXPECT_LT(entry.limits.size(), 240U) << entry.name;
+  }
 }
 
 }  // namespace

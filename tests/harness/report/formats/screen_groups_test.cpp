@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "harness/report/formats/screen_groups.hpp"
+#include "harness/report/formats/screen.hpp"
 #include "tests/harness/responses/sample_responses.hpp"
 
-namespace signorini::response_lines_test {
+namespace signorini::screen_groups_test {
 namespace {
 
 TEST(ResponseLines, HoldAMethodEachWithin80Columns) {
@@ -19,7 +19,7 @@ TEST(ResponseLines, HoldAMethodEachWithin80Columns) {
   int starred = 0;
   std::string screen;
   for (const ScreenLine& line : lines) {
-    EXPECT_LE(line.text.size(), kScreenWidth) << line.text;
+    EXPECT_LE(line.text.size(), kTerminalWidth) << line.text;
     if (line.text.starts_with("* ")) ++starred;
     screen += line.text + "\n";
   }
@@ -40,4 +40,4 @@ TEST(ResponseLines, SayWhereNothingWasCompared) {
 }
 
 }  // namespace
-}  // namespace signorini::response_lines_test
+}  // namespace signorini::screen_groups_test
