@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "methods/complementarity/forms.hpp"
@@ -25,6 +24,11 @@ struct HatSettings {
   int max_iterations = 0;        ///< pivots or Newton steps; 0: the solver's own limit [-]
   double cover_amplitude = 0.0;  ///< of the covering vector's wave (smooth_cover), in [0, 1) [-]
   double cover_phase = 0.0;      ///< [rad]
+
+  /// Whether the way to a solution is left to the method.
+  [[nodiscard]] bool way_is_open() const {
+    return solver == ComplementaritySolver::automatic && max_iterations == 0;
+  }
 };
 
 /// The scene on N nodes as one linear complementarity problem, ready to be solved. At a contact without

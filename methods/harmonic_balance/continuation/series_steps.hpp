@@ -2,10 +2,7 @@
 // Steps along a curve of harmonic balance, and where contacts begin and cease on them.
 
 #include <Eigen/Core>
-#include <chrono>
-#include <functional>
 #include <optional>
-#include <vector>
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/continuation/curve_tracer.hpp"
@@ -67,7 +64,6 @@ class SeriesSteps {
   bool shorten_to(const StepTarget& target);
   [[nodiscard]] std::optional<StepTarget> target() const;
   [[nodiscard]] bool moves_too_far() const;
-  [[nodiscard]] bool turns_past_value(const Eigen::VectorXd& tangent) const;
   std::optional<SeriesStep> arrive(int iterations);
   std::optional<Eigen::VectorXd> next_slope(double& turn);
   std::optional<SeriesStep> begin_contact();

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <utility>
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/discretisation/fourier_series.hpp"

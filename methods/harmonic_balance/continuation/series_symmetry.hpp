@@ -3,7 +3,6 @@
 // motions.
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "methods/harmonic_balance/continuation/series_switching.hpp"
