@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/complementarity/projected_residual.hpp"
-#include "methods/harmonic_balance/harmonic_setup.hpp"
-#include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/solvers/newton_krylov.hpp"
-#include "methods/structure/mean_balance.hpp"
 
 namespace signorini {
 
@@ -33,30 +29,22 @@ class AftGridSolver final : public GridSolver {
     ProjectedResidual residual(equations, samples, settings_.tolerance, {}, ContactIntegral::sampled);
     const bool cold = previous.size() == 0 && !start.guess;
     NewtonKrylovResult newton =
-        newton_from(first_force(equations, previous, start),
+        newton_from(first_force(equations.receptance, previous, start),
                     cold && homotopy_ ? kColdSteps : DampedNewtonLimits{}.max_steps, residual, start, work);
     const auto converged = [&] { return newton.end == NewtonEnd::solved; };
-    GridSolution solution{.message = converged() ? "Newton-Krylov" : "Newton-Krylov found no descent"};
+    std::string message = converged() ? "Newton-Krylov" : "Newton-Krylov found no descent";
     if (!converged() && homotopy_ && !is_spent(settings_.max_iterations, work))
-      newton = from_homotopy(std::move(newton), residual, equations, start, work, solution.message);
-    solution.solved = converged();
-    // Newton alone that has lost its way is not helped by more samples.
-    solution.finer_may_help = (converged() || homotopy_) && !start.expired();
-    solution.lambda = residual.force_of(newton.unknowns);
-    solution.residual = newton.residual;
-    solution.condition = newton.condition;
-    return solution;
+      newton = from_homotopy(std::move(newton), residual, equations, start, work, message);
+    return {.solved = converged(),
+            // Newton alone that has lost its way is not helped by more samples.
+            .finer_may_help = (converged() || homotopy_) && !start.expired(),
+            .lambda = residual.force_of(newton.unknowns),
+            .residual = newton.residual,
+            .condition = newton.condition,
+            .message = std::move(message)};
   }
 
  private:
-  static Eigen::MatrixXcd first_force(const ProjectedEquations& equations, const Eigen::MatrixXcd& previous,
-                                      const Start& start) {
-    const ContactReceptance& receptance = equations.receptance;
-    if (previous.size() > 0) return previous;
-    if (start.guess) return carried_spectrum(receptance, *start.guess);
-    return Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts());
-  }
-
   /// One run of Newton's method. The equations are piecewise linear: near a solution one full step ends it.
   [[nodiscard]] NewtonKrylovResult newton_from(const Eigen::MatrixXcd& force, int steps,
                                                ProjectedResidual& residual, const Start& start,
@@ -74,11 +62,8 @@ class AftGridSolver final : public GridSolver {
                                                  const ProjectedEquations& equations, const Start& start,
                                                  Work& work, std::string& message) const {
     const auto& [receptance, gap, law] = equations;
-    SolverSettings settings = settings_;
-    settings.deadline = start.deadline;
-    if (settings.max_iterations > 0) settings.max_iterations -= static_cast<int>(steps_spent(work));
     const Lcp lcp = projected_lcp(receptance, gap, law, residual.samples());
-    const LcpResult path = solve_lcp(lcp, settings);
+    const LcpResult path = solve_lcp(lcp, remaining(settings_, start, work));
     work.pivots = work.pivots.value_or(0) + path.pivots;
     message = fmt::format("gap homotopy: {}", describe(path.status));
     if (path.status != LcpStatus::solved) return failed;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,31 +18,6 @@ namespace signorini {
 
 namespace {
 
-/// The updates of the multiplier so far, by the residual that each left.
-class Convergence {
- public:
-  void add(double residual) {
-    factor_ = count_ > 0 ? residual / last_ : 0.0;
-    last_ = residual;
-    least_ = std::min(least_, residual);
-    ++count_;
-  }
-  [[nodiscard]] double last() const { return last_; }
-  [[nodiscard]] int updates() const { return count_ - 1; }
-  /// Of the last update [-].
-  [[nodiscard]] double factor() const { return factor_; }
-  /// Far above the least residual met: an error that grows by a factor takes few updates to get there.
-  [[nodiscard]] bool diverges() const {
-    constexpr double kGrown = 1e3;
-    return !std::isfinite(last_) || last_ > kGrown * least_;
-  }
-
- private:
-  int count_ = 0;
-  double last_ = 0.0, factor_ = 0.0;
-  double least_ = std::numeric_limits<double>::infinity();
-};
-
 /// One solve on a grid.
 class MultiplierIteration {
  public:
@@ -52,8 +26,8 @@ class MultiplierIteration {
       : equations_(equations),
         settings_(settings),
         lipschitz_(equations, settings.samples, settings.tolerance),
-        acceleration_(accelerated ? kDepth : 0),
-        accelerated_(accelerated),
+        depth_(accelerated ? 8 : 0),
+        acceleration_(depth_),
         lambda_(std::move(lambda)) {}
 
   [[nodiscard]] const Eigen::MatrixXcd& lambda() const { return lambda_; }
@@ -70,14 +44,14 @@ class MultiplierIteration {
   /// Solves the penalty rho with mu = 0: through rising penalties or, with pivots, from a penalty of the size
   /// of the highest dynamic stiffness. False where no way leads there.
   bool begin(bool by_pivoting, const Start& start) {
-    constexpr double kPivoted = 1.0 / 32.0;  // of rho: long contacts, which a grid resolves
+    constexpr double kPivoted = 1.0 / kAugmentedMultiple;  // of rho: long contacts, which a grid resolves
     return by_pivoting ? pivot(kPivoted, start) && harden(kPivoted) : rise();
   }
 
   /// Solves the penalty rho with mu = 0 through rising penalties, from the present lambda.
   bool rise() {
     multiplier_.resize(0, 0);
-    acceleration_ = AndersonAcceleration(accelerated_ ? kDepth : 0);
+    acceleration_ = AndersonAcceleration(depth_);
     const double first = softest_share();
     return solve(equations_.receptance, first) && harden(first);
   }
@@ -85,7 +59,7 @@ class MultiplierIteration {
   /// One update of the multiplier, to lambda or, accelerated, beyond it; less far where Newton's method does
   /// not follow. False where it follows nowhere.
   bool update() {
-    const int halvings = accelerated_ ? 6 : 0;
+    const int halvings = depth_ > 0 ? 6 : 0;
     if (multiplier_.size() == 0) multiplier_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
     const Eigen::MatrixXcd before = multiplier_, next = next_multiplier();
     double part = 1.0;
@@ -161,13 +135,11 @@ class MultiplierIteration {
     return true;
   }
 
-  static constexpr int kDepth = 8;
-
   const ProjectedEquations& equations_;
   ExactProjectionSettings settings_;
   ProjectedResidual lipschitz_;
+  int depth_;  // of the acceleration; 0: none
   AndersonAcceleration acceleration_;
-  bool accelerated_;
   Eigen::MatrixXcd lambda_;      // (H+1) x Nc [N]
   Eigen::MatrixXcd multiplier_;  // mu behind lambda, of the same size; empty: none yet
   std::optional<double> condition_;
@@ -187,13 +159,10 @@ class MultiplierGridSolver final : public GridSolver {
   [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
                                    const Eigen::MatrixXcd& previous, const Start& start,
                                    Work& work) const override {
-    const int harmonics = equations.receptance.harmonics();
     const bool cold = previous.size() == 0 && !start.guess;
-    Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(harmonics + 1, equations.receptance.contacts());
-    if (!cold) lambda = previous.size() > 0 ? previous : carried_spectrum(equations.receptance, *start.guess);
     MultiplierIteration iteration(
         equations, {.samples = samples, .tolerance = settings_.tolerance, .deadline = start.deadline},
-        std::move(lambda), !plain_);
+        first_force(equations.receptance, previous, start), !plain_);
     GridSolution solution{.finer_may_help = !plain_ && !start.expired()};
     bool begun = !cold || iteration.begin(!plain_, start);
     if (begun && !iterate(iteration, "", solution) && !cold && !plain_ && may_go_on(iteration)) {
@@ -221,29 +190,31 @@ class MultiplierGridSolver final : public GridSolver {
   /// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away; residual and
   /// message into `solution`. False where Newton's method does not follow.
   bool iterate(MultiplierIteration& iteration, const char* origin, GridSolution& solution) const {
+    constexpr double kGrown = 1e3;  // an error that grows by a factor takes few updates to get there
     bool follows = true;
-    Convergence convergence;
-    convergence.add(iteration.residual());
+    int updates = 0;
+    double residual = iteration.residual(), least = residual, factor = 0.0;
     const char* end = "solved";
-    while (!(convergence.last() <= settings_.tolerance)) {
-      if (convergence.diverges()) {
+    while (!(residual <= settings_.tolerance)) {
+      if (!std::isfinite(residual) || residual > kGrown * least) {
         end = "divergence";
-      } else if (convergence.updates() >= updates_ || !may_go_on(iteration)) {
+      } else if (updates >= updates_ || !may_go_on(iteration)) {
         end = "not converged";
       } else if (follows = iteration.update(); !follows) {
         end = "Newton's method does not follow";
       } else {
-        convergence.add(iteration.residual());
+        const double before = std::exchange(residual, iteration.residual());
+        factor = residual / before;
+        least = std::min(least, residual);
+        ++updates;
         continue;
       }
       break;
     }
-    solution.residual = convergence.last();
-    const std::string factor = convergence.updates() > 0
-                                   ? fmt::format(", residual times {:.2g} in the last", convergence.factor())
-                                   : "";
-    solution.message =
-        fmt::format("{} after {} updates of the multiplier{}{}", end, convergence.updates(), factor, origin);
+    solution.residual = residual;
+    const std::string last =
+        updates > 0 ? fmt::format(", residual times {:.2g} in the last", factor) : std::string();
+    solution.message = fmt::format("{} after {} updates of the multiplier{}{}", end, updates, last, origin);
     return follows;
   }
 

@@ -8,6 +8,10 @@
 
 namespace signorini {
 
+/// rho over the highest dynamic stiffness where it is left to the method: an update then leaves less than a
+/// sixth of an error, up to H = 20 [-].
+inline constexpr double kAugmentedMultiple = 32.0;
+
 /// Solves the projected equations of a law (rho, alpha) with the multiplier mu taken out of the contact
 /// condition [alart1991]:
 ///

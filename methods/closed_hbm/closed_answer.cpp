@@ -39,13 +39,6 @@ SeedSampling seed_sampling(const Trajectory& motion) {
           kResolvingSamples};
 }
 
-void append(int contact, double turn, double force, std::vector<int>& contacts,
-            std::vector<double>& moments) {
-  contacts.push_back(contact);
-  moments.push_back(turn - std::floor(turn));
-  moments.push_back(force);
-}
-
 /// One solve by impact closure.
 class ImpactClosing {
  public:
@@ -238,9 +231,13 @@ ImpactSeeds impact_seeds(const Trajectory& motion) {
   ImpactSeeds seeds;
   std::vector<int> contacts;
   std::vector<double> moments;
+  const auto append = [&](int contact, double turn, double force) {
+    contacts.push_back(contact);
+    moments.push_back(turn - std::floor(turn));
+    moments.push_back(force);
+  };
   for (const Impulse& impulse : motion.impulses())
-    append(impulse.contact, impulse.time / motion.period(), -impulse.value / motion.period(), contacts,
-           moments);
+    append(impulse.contact, impulse.time / motion.period(), -impulse.value / motion.period());
   const SeedSampling sampling = seed_sampling(motion);
   const Eigen::MatrixXd force = motion.sample(sampling.count).force;
   const double none = kNoForce * force.cwiseAbs().maxCoeff();
@@ -254,7 +251,7 @@ ImpactSeeds impact_seeds(const Trajectory& motion) {
         sum += push;
         first += push * (phase.first + i);
       }
-      append(static_cast<int>(c), first / (sum * sampling.count), sum / sampling.count, contacts, moments);
+      append(static_cast<int>(c), first / (sum * sampling.count), sum / sampling.count);
     }
   }
   seeds.impacts.moments =

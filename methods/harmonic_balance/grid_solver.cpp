@@ -4,6 +4,7 @@
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/refinement.hpp"
+#include "methods/structure/mean_balance.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
@@ -19,17 +20,15 @@ class LcpGridSolver final : public GridSolver {
                                    Work& work) const override {
     const auto& [receptance, gap, law] = equations;
     const Lcp lcp = projected_lcp(receptance, gap, law, samples);
-    const SolverSettings settings = remaining(start, work);
+    const SolverSettings settings = remaining(settings_, start, work);
     const LcpResult result =
         newton() && previous.size() > 0
             ? solve_by_newton_from(lcp, settings, augmented_multiplier(equations, previous, samples))
             : solve_lcp(lcp, settings, first_pressure(equations, samples, start));
     work.unknowns = lcp.matrix->size();
-    if (newton()) {
-      add_effort({.iterations = result.iterations, .factorisations = result.factorisations}, work);
-    } else {
-      add_effort({.pivots = result.pivots}, work);
-    }
+    add_effort(newton() ? Work{.iterations = result.iterations, .factorisations = result.factorisations}
+                        : Work{.pivots = result.pivots},
+               work);
     const bool solved = result.status == LcpStatus::solved;
     return {.solved = solved,
             // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
@@ -50,18 +49,24 @@ class LcpGridSolver final : public GridSolver {
 
   [[nodiscard]] bool newton() const { return settings_.solver == ComplementaritySolver::newton; }
 
-  [[nodiscard]] SolverSettings remaining(const Start& start, const Work& work) const {
-    SolverSettings settings = settings_;
-    settings.deadline = start.deadline;
-    if (settings.max_iterations > 0)
-      settings.max_iterations = static_cast<int>(std::max(1L, settings.max_iterations - steps_spent(work)));
-    return settings;
-  }
-
   SolverSettings settings_;
 };
 
 }  // namespace
+
+SolverSettings remaining(SolverSettings settings, const Start& start, const Work& work) {
+  settings.deadline = start.deadline;
+  if (settings.max_iterations > 0)
+    settings.max_iterations = static_cast<int>(std::max(1L, settings.max_iterations - steps_spent(work)));
+  return settings;
+}
+
+Eigen::MatrixXcd first_force(const ContactReceptance& receptance, const Eigen::MatrixXcd& previous,
+                             const Start& start) {
+  if (previous.size() > 0) return previous;
+  if (start.guess) return carried_spectrum(receptance, *start.guess);
+  return Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts());
+}
 
 std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings) {
   return std::make_unique<LcpGridSolver>(settings);

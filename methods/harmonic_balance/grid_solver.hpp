@@ -50,6 +50,15 @@ inline bool is_spent(int limit, const Work& work) { return limit > 0 && steps_sp
 /// Adds Newton steps to the work of a solve.
 inline void count_iterations(int steps, Work& work) { work.iterations = work.iterations.value_or(0) + steps; }
 
+/// Settings of what is left of a solve: its deadline, and its limit on iterations less what was spent, at
+/// least one of them.
+SolverSettings remaining(SolverSettings settings, const Start& start, const Work& work);
+
+/// Where a method begins that iterates on contact forces: at those before, those of the guess or none.
+/// \param previous  as of GridSolver::solve \return n = 0..H, (H+1) x Nc [N]
+Eigen::MatrixXcd first_force(const ContactReceptance& receptance, const Eigen::MatrixXcd& previous,
+                             const Start& start);
+
 /// Solves projected_lcp (forms.hpp) by pivoting or by Newton's method as `settings` ask, from the guess of
 /// the solve where there is one. A limit on iterations counts what was spent before.
 std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings);

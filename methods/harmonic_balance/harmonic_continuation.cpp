@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/homotopy.hpp"
 
@@ -12,7 +13,6 @@ namespace signorini {
 
 namespace {
 
-constexpr int kStartHarmonics = 20;
 constexpr int kFewestHarmonics = 5;
 constexpr int kStartUnknowns = 800;  // harmonics times contacts: pivots grow with both
 constexpr double kStartFactor = 1.0 / 16.0;
@@ -44,7 +44,7 @@ ContinuationPoint continuation_start(const ContactReceptance& receptance) {
     if (receptance.free_response.row(n).cwiseAbs().maxCoeff() > 0.0) loaded = n;
   }
   const int affordable =
-      std::clamp(kStartUnknowns / std::max(1, receptance.contacts()), kFewestHarmonics, kStartHarmonics);
+      std::clamp(kStartUnknowns / std::max(1, receptance.contacts()), kFewestHarmonics, kDefaultHarmonics);
   const int harmonics = std::max(affordable, 2 * loaded);
   if (harmonics >= receptance.harmonics()) return {};
   return {harmonics, kStartFactor};

@@ -22,12 +22,7 @@ RepresentedLaw ProjectedMethod::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> ProjectedMethod::prepare(const Problem& problem) const {
-  return prepare_harmonic_balance(
-      problem, common_, [this](const Problem& solved) { return preset(solved); }, solver_of(problem));
-}
-
-MakeHarmonicSolver ProjectedMethod::solver_of(const Problem& /*problem*/) const {
-  return [](HarmonicSetup setup) { return std::make_unique<HarmonicSolver>(std::move(setup)); };
+  return prepare_harmonic_balance(problem, common_, [this](const Problem& solved) { return preset(solved); });
 }
 
 BranchDiagram FollowedMethod::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {

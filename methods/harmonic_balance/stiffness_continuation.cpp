@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,11 +16,9 @@ constexpr double kFirst = 1.0 / 16.0;  // r: contacts last for about four times 
 constexpr double kSoftest = 1e-8;
 constexpr double kStiffest = 10.0;  // behind which the stops' own law is tried, first
 constexpr double kNoSpring = 1e6;
-constexpr double kLargest = 16.0;  // from one r to the next
 constexpr PathSteps kStiffnessSteps{
     .first = 1.0, .largest = 4.0, .smallest = 0.07, .growth = 1.5};  // in log2 r
 constexpr double kNear = 1e-6;                                       // tolerance of all but the last
-constexpr int kNewtonStepsOnSprings = 15;
 
 /// The solves of one continuation.
 class Springs {
@@ -37,7 +34,7 @@ class Springs {
     const bool own = ratio == kInfinity;
     const ProjectedLaw law = own ? equations_.law : on_springs(equations_.law, ratio);
     ExactProjectionSettings settings = settings_;
-    settings.most = kNewtonStepsOnSprings;
+    settings.most = 15;
     if (!own) settings.tolerance = std::max(kNear, settings_.tolerance);
     ExactProjection solved = project_exactly({equations_.receptance, equations_.gap, law}, lambda_, settings);
     iterations_ += solved.iterations;
@@ -76,7 +73,7 @@ ExactProjection continue_in_stiffness(const ProjectedEquations& equations, Eigen
     if (next > stiffest) {
       rigid = springs.solve(kInfinity);
       if (rigid || stiffest >= kNoSpring) return rigid.has_value();
-      stiffest *= kLargest;
+      stiffest /= kFirst;
     }
     if (!springs.solve(next)) return false;
     solved = next;
