@@ -10,10 +10,6 @@ namespace signorini {
 
 namespace {
 
-// The grid leaves an error of 1e-3 to 1e-4: the space, twice as large as a reduction has unasked, less.
-constexpr int kMarchedPowers = 12;
-constexpr int kLeastMarched = 120;
-constexpr int kMarchedModes = 150;
 // Part of a state below which its change over a period may be rounding.
 constexpr double kRoundOfAPeriod = 1e-11;
 // Columns of contacts and loads up to which powers of them are taken, as a reduction does unasked.
@@ -57,7 +53,8 @@ std::shared_ptr<const ContactReduction> marched_reduction(const Problem& problem
   if (problem.contact_count() == 0 || !march_obstacle(problem).empty()) return nullptr;
   const int columns = problem.contact_count() + 2 * (highest_load_harmonic(problem) + 1);
   const bool few = columns <= kMostMarchedColumns;
-  const int vectors = few ? std::max(kLeastMarched, kMarchedPowers * problem.contact_count()) : kMarchedModes;
+  // The grid leaves an error of 1e-3 to 1e-4: the space, twice as large as a reduction has unasked, less.
+  const int vectors = few ? std::max(120, 12 * problem.contact_count()) : 150;
   auto reduction = std::make_shared<ContactReduction>(reduce_to_contacts(
       problem, {.basis = few ? ReductionBasis::krylov : ReductionBasis::modes, .vectors = vectors}));
   return reduction->obstacle.empty() ? reduction : nullptr;
