@@ -26,7 +26,8 @@ HarmonicMethod AugmentedLagrangian::preset(const Problem& problem) const {
           .grid_solver = multiplier_grid_solver(settings, options_.max_updates, options_.plain),
           .solver_is_open = !options_.plain,
           .on_grids_only = true,
-          .many_unknowns = 400};  // after pivots a soft penalty is still to be hardened
+          .many_unknowns = 400,  // after pivots a soft penalty is still to be hardened
+          .counts = options_.plain ? Work{.iterations = 0} : Work{.iterations = 0, .pivots = 0}};
 }
 
 ProjectedLaw augmented_law(const Problem& problem, const std::optional<Scaled>& penalty,

@@ -75,9 +75,8 @@ class MultiplierIteration {
   bool pivot(double share, const Start& start) {
     const ProjectedLaw law = penalty(share);
     Work work;
-    const GridSolution solved =
-        lcp_grid_solver({.tolerance = settings_.tolerance})
-            ->solve({equations_.receptance, equations_.gap, law}, settings_.samples, {}, start, work);
+    const GridSolution solved = lcp_grid_solver({.tolerance = settings_.tolerance})(
+        {equations_.receptance, equations_.gap, law}, settings_.samples, {}, start, work);
     pivots_ += work.pivots.value_or(0);
     if (!solved.solved) return false;
     lambda_ = solved.lambda;
@@ -147,86 +146,78 @@ class MultiplierIteration {
   long pivots_ = 0;
 };
 
-class MultiplierGridSolver final : public GridSolver {
- public:
-  MultiplierGridSolver(const SolverSettings& settings, int updates, bool plain)
-      : settings_(settings), updates_(updates), plain_(plain) {}
+/// What the updates ask of a solve.
+struct UpdateLimits {
+  double tolerance = 0.0;  // on the residual [-]
+  int updates = 0;
+  int newton_steps = 0;  // 0: not limited
 
-  [[nodiscard]] Work initial_counts() const override {
-    return plain_ ? Work{.iterations = 0} : Work{.iterations = 0, .pivots = 0};
+  [[nodiscard]] bool permit_more_steps(const MultiplierIteration& iteration) const {
+    return newton_steps == 0 || iteration.newton_steps() < newton_steps;
   }
+};
 
-  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
-                                   const Eigen::MatrixXcd& previous, const Start& start,
-                                   Work& work) const override {
+/// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away; residual and
+/// message into `solution`. False where Newton's method does not follow.
+bool iterate(MultiplierIteration& iteration, const UpdateLimits& limits, const char* origin,
+             GridSolution& solution) {
+  constexpr double kGrown = 1e3;  // an error that grows by a factor takes few updates to get there
+  bool follows = true;
+  int updates = 0;
+  double residual = iteration.residual(), least = residual, factor = 0.0;
+  const char* end = "solved";
+  while (!(residual <= limits.tolerance)) {
+    if (!std::isfinite(residual) || residual > kGrown * least) {
+      end = "divergence";
+    } else if (updates >= limits.updates || !limits.permit_more_steps(iteration)) {
+      end = "not converged";
+    } else if (follows = iteration.update(); !follows) {
+      end = "Newton's method does not follow";
+    } else {
+      const double before = std::exchange(residual, iteration.residual());
+      factor = residual / before;
+      least = std::min(least, residual);
+      ++updates;
+      continue;
+    }
+    break;
+  }
+  solution.residual = residual;
+  const std::string last =
+      updates > 0 ? fmt::format(", residual times {:.2g} in the last", factor) : std::string();
+  solution.message = fmt::format("{} after {} updates of the multiplier{}{}", end, updates, last, origin);
+  return follows;
+}
+
+}  // namespace
+
+GridSolver multiplier_grid_solver(const SolverSettings& settings, int updates, bool plain) {
+  const UpdateLimits limits{settings.tolerance, updates, settings.max_iterations};
+  return [limits, plain](const ProjectedEquations& equations, int samples, const Eigen::MatrixXcd& previous,
+                         const Start& start, Work& work) {
     const bool cold = previous.size() == 0 && !start.guess;
     MultiplierIteration iteration(
-        equations, {.samples = samples, .tolerance = settings_.tolerance, .deadline = start.deadline},
-        first_force(equations.receptance, previous, start), !plain_);
-    GridSolution solution{.finer_may_help = !plain_ && !start.expired()};
-    bool begun = !cold || iteration.begin(!plain_, start);
-    if (begun && !iterate(iteration, "", solution) && !cold && !plain_ && may_go_on(iteration)) {
+        equations, {.samples = samples, .tolerance = limits.tolerance, .deadline = start.deadline},
+        first_force(equations.receptance, previous, start), !plain);
+    GridSolution solution{.finer_may_help = !plain && !start.expired()};
+    bool begun = !cold || iteration.begin(!plain, start);
+    if (begun && !iterate(iteration, limits, "", solution) && !cold && !plain &&
+        limits.permit_more_steps(iteration)) {
       // As a multiplier the force given is too far away for Newton's method.
       begun = iteration.rise();
-      if (begun) iterate(iteration, ", from soft penalties", solution);
+      if (begun) iterate(iteration, limits, ", from soft penalties", solution);
     }
     if (!begun) {
       solution.message = "no solution of the penalty";
       solution.residual = iteration.residual();
     }
-    solution.solved = solution.residual <= settings_.tolerance;
+    solution.solved = solution.residual <= limits.tolerance;
     solution.lambda = iteration.lambda();
     solution.condition = iteration.condition();
     count_iterations(iteration.newton_steps(), work);
-    if (!plain_) work.pivots = work.pivots.value_or(0) + iteration.pivots();
+    if (!plain) work.pivots = work.pivots.value_or(0) + iteration.pivots();
     return solution;
-  }
-
- private:
-  [[nodiscard]] bool may_go_on(const MultiplierIteration& iteration) const {
-    return settings_.max_iterations == 0 || iteration.newton_steps() < settings_.max_iterations;
-  }
-
-  /// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away; residual and
-  /// message into `solution`. False where Newton's method does not follow.
-  bool iterate(MultiplierIteration& iteration, const char* origin, GridSolution& solution) const {
-    constexpr double kGrown = 1e3;  // an error that grows by a factor takes few updates to get there
-    bool follows = true;
-    int updates = 0;
-    double residual = iteration.residual(), least = residual, factor = 0.0;
-    const char* end = "solved";
-    while (!(residual <= settings_.tolerance)) {
-      if (!std::isfinite(residual) || residual > kGrown * least) {
-        end = "divergence";
-      } else if (updates >= updates_ || !may_go_on(iteration)) {
-        end = "not converged";
-      } else if (follows = iteration.update(); !follows) {
-        end = "Newton's method does not follow";
-      } else {
-        const double before = std::exchange(residual, iteration.residual());
-        factor = residual / before;
-        least = std::min(least, residual);
-        ++updates;
-        continue;
-      }
-      break;
-    }
-    solution.residual = residual;
-    const std::string last =
-        updates > 0 ? fmt::format(", residual times {:.2g} in the last", factor) : std::string();
-    solution.message = fmt::format("{} after {} updates of the multiplier{}{}", end, updates, last, origin);
-    return follows;
-  }
-
-  SolverSettings settings_;
-  int updates_;
-  bool plain_;
-};
-
-}  // namespace
-
-std::unique_ptr<GridSolver> multiplier_grid_solver(const SolverSettings& settings, int updates, bool plain) {
-  return std::make_unique<MultiplierGridSolver>(settings, updates, plain);
+  };
 }
 
 }  // namespace signorini

@@ -1,8 +1,6 @@
 #pragma once
 // Penalty solves inside, updates of the multiplier outside.
 
-#include <memory>
-
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
 
@@ -36,7 +34,6 @@ inline constexpr double kAugmentedMultiple = 32.0;
 ///
 /// \param settings  tolerance on the residual; limit on Newton steps, asked for between updates
 /// \param updates   of the multiplier, at most
-std::unique_ptr<GridSolver> multiplier_grid_solver(const SolverSettings& settings, int updates,
-                                                   bool plain = false);
+GridSolver multiplier_grid_solver(const SolverSettings& settings, int updates, bool plain = false);
 
 }  // namespace signorini

@@ -110,7 +110,7 @@ Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& wo
   const int finest = fixed ? 0 : 4 * kSampledPerHarmonic * harmonics;
   Solution solution;
   for (int samples = fixed.value_or(coarsest_grid(harmonics, options.contact_integral()));; samples *= 2) {
-    const GridSolution grid = setup.method.grid_solver->solve(setup.equations(), samples, near, start, work);
+    const GridSolution grid = setup.method.grid_solver(setup.equations(), samples, near, start, work);
     Refined refined = refine_quadrature(setup, grid, samples, work);
     const double ratio = net_work_ratio(refined.data.x, refined.data.lambda);
     const bool in_limit = options.max_iterations == 0 || steps_spent(work) <= options.max_iterations;

@@ -105,7 +105,7 @@ HarmonicSetup with_few_harmonics(const HarmonicSetup& setup, const ContinuationP
 std::optional<Solution> solve_few_harmonics(const HarmonicSetup& setup, const ContinuationPoint& few,
                                             const Start& start, Work& work) {
   const HarmonicSetup reduced = with_few_harmonics(setup, few);
-  Work spent = setup.method.grid_solver->initial_counts();
+  Work spent = setup.method.counts;
   std::optional<Solution> base = permanent_contact(reduced, start);
   if (!base) base = solve_on_grids(reduced, start, spent);
   add_effort(spent, work);
@@ -185,7 +185,7 @@ class WithHarmonics final : public PreparedMethod {
   Solution solve(const Start& start) override {
     const ContactReceptance& receptance = setup_.receptance;
     if (receptance.contacts() == 0) return contact_free_response(receptance);
-    Work work = setup_.method.grid_solver->initial_counts();
+    Work work = setup_.method.counts;
     work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
     HarmonicSolve solve = solver_ ? solver_(start, work) : HarmonicSolve{solve_series(setup_, start, work)};
     more_may_help_ = solve.harmonics_may_help;
