@@ -27,7 +27,7 @@ std::unique_ptr<PreparedMethod> ProjectedMethod::prepare(const Problem& problem)
 
 BranchDiagram FollowedMethod::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
   const Problem problem = scene.at(scene.from);
-  return series_diagram(scene, {*this, common(), preset(problem).law_at}, limits);
+  return series_diagram(scene, *this, common(), preset(problem).law_at, limits);
 }
 
 HarmonicMethod by_complementarity(LawAt law, const HarmonicOptions& common, ComplementaritySolver solver) {

@@ -16,10 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-WeightsOfHarmonic harmonics_of(double base) {
-  return [base](int n) { return exact_weights(n * base); };
-}
-
 /// Per packed coefficient the largest |C_m|, m >= n, of its contact's diagonal.
 Eigen::VectorXd decreasing_receptance(const ContactReceptance& receptance) {
   const Eigen::Index stride = 2 * receptance.harmonics() + 1;
@@ -73,7 +69,8 @@ bool SeriesCurve::evaluate(const Eigen::VectorXd& x) {
   if (!x.allFinite() || !(frequency > 0.0)) return false;
   problem_ = at_frequency(std::move(problem_), frequency);
   try {
-    receptance_ = receptance_with_rate(problem_, harmonics_, harmonics_of(problem_.base_frequency()));
+    receptance_ = receptance_with_rate(
+        problem_, harmonics_, [base = problem_.base_frequency()](int n) { return exact_weights(n * base); });
   } catch (const SingularStiffness&) {
     return false;
   }

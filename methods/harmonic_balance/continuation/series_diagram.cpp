@@ -199,13 +199,14 @@ class SeriesDiagram final : public MethodDiagram<SeriesStart> {
 };
 
 // What the method makes of the scene with so many harmonics.
-SeriesFamily family_of(const ParametrisedScene& scene, const SeriesMethod& method, int harmonics) {
+SeriesFamily family_of(const ParametrisedScene& scene, const HarmonicOptions& options, const LawAt& law_at,
+                       int harmonics) {
   SeriesFamily family{curve_family(scene.at(scene.from), scene.from, scene.to)};
   family.harmonics = harmonics;
-  family.law_at = method.law_at;
-  const bool sampled = method.options.contact_integral() == Quadrature::sampled;
+  family.law_at = law_at;
+  const bool sampled = options.contact_integral() == Quadrature::sampled;
   family.integral = sampled ? ContactIntegral::sampled : ContactIntegral::exact;
-  family.samples = sampled ? method.options.fixed_samples(harmonics).value_or(kSampledPerHarmonic * harmonics)
+  family.samples = sampled ? options.fixed_samples(harmonics).value_or(kSampledPerHarmonic * harmonics)
                            : kResolvingSamples * std::max(harmonics, kFewestOnGrid);
   family.opposite = opposite_contacts(family.problem);
   return family;
@@ -213,20 +214,20 @@ SeriesFamily family_of(const ParametrisedScene& scene, const SeriesMethod& metho
 
 }  // namespace
 
-BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod& method,
-                             const CurveLimits& limits) {
+BranchDiagram series_diagram(const ParametrisedScene& scene, const Method& method,
+                             const HarmonicOptions& options, const LawAt& law_at, const CurveLimits& limits) {
   const Problem problem = scene.at(scene.from);
   if (problem.contact_count() == 0) return {.unfinished = "the scene has no contact"};
   const auto unknowns = [&](int harmonics) { return (2 * harmonics + 1) * problem.contact_count(); };
-  int harmonics = method.options.first_harmonics(problem);
+  int harmonics = options.first_harmonics(problem);
   BranchDiagram diagram;
   try {
     std::vector<std::string> notes;
     std::vector<EndAnswer> answers;
-    if (unknowns(harmonics) <= kMostUnknowns) answers = end_answers(scene, method.method, limits, notes);
+    if (unknowns(harmonics) <= kMostUnknowns) answers = end_answers(scene, method, limits, notes);
     int needed = harmonics;
     for (const EndAnswer& answer : answers)
-      if (!method.options.harmonics) needed = std::max(needed, answer.motion->bandwidth().value_or(0));
+      if (!options.harmonics) needed = std::max(needed, answer.motion->bandwidth().value_or(0));
     harmonics = std::max(harmonics, std::min(needed, kMostFollowed));
     if (needed > harmonics)
       notes.push_back(
@@ -235,7 +236,7 @@ BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod&
                       harmonics, needed, needed));
     if (unknowns(harmonics) > kMostUnknowns)
       return {.unfinished = fmt::format("{} unknowns are more than {}", unknowns(harmonics), kMostUnknowns)};
-    const SeriesFamily family = family_of(scene, method, harmonics);
+    const SeriesFamily family = family_of(scene, options, law_at, harmonics);
     diagram = SeriesDiagram(family, limits).run(scene, answers);
     diagram.notes.insert(diagram.notes.begin(), notes.begin(), notes.end());
     const auto loses = [](const Contact& contact) { return restitution_of(contact.law) < 1.0; };

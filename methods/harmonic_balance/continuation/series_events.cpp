@@ -15,6 +15,15 @@ namespace signorini {
 
 namespace {
 
+/// Unknowns beside a grazing of a motion without contact, at which the curve is evaluated, on the side from
+/// which `slope` comes: there it does not touch.
+Eigen::VectorXd before_grazing(const SeriesCurve& curve, const Eigen::VectorXd& slope) {
+  constexpr double kBefore = 1e-9;  // of the unit of the frequency
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(curve.size() + 1);
+  x[curve.size()] = curve.x()[curve.size()] - std::copysign(kBefore, slope[curve.size()]);
+  return x;
+}
+
 /// A search along one step; found points are sorted at the end.
 class StepSearch {
  public:
@@ -141,13 +150,6 @@ std::vector<std::size_t> interval_counts(const SeriesCurve& curve) {
     counts.push_back(count);
   }
   return counts;
-}
-
-Eigen::VectorXd before_grazing(const SeriesCurve& curve, const Eigen::VectorXd& slope) {
-  constexpr double kBefore = 1e-9;  // of the unit of the frequency
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(curve.size() + 1);
-  x[curve.size()] = curve.x()[curve.size()] - std::copysign(kBefore, slope[curve.size()]);
-  return x;
 }
 
 SeriesStation series_station(DepthCurve& curve, const Eigen::VectorXd& slope, bool doublings) {

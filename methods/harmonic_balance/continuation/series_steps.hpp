@@ -46,7 +46,6 @@ class SeriesSteps {
 
   [[nodiscard]] DepthCurve& curve() { return curve_; }
   [[nodiscard]] SeriesCurve& series() { return series_; }
-  [[nodiscard]] const SeriesCurve& series() const { return series_; }
   [[nodiscard]] const SeriesStation& here() const { return here_; }
   [[nodiscard]] double length() const { return length_; }  ///< of the next attempt
   /// Whether the last attempt began at an end of the interval and led out of it.

@@ -27,7 +27,6 @@ ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int s
 
 HatCurve::HatCurve(const HatFamily& family, int multiple)
     : family_(family),
-      multiple_(multiple),
       samples_(multiple * family.samples),
       problem_(with_subharmonic(family.problem, multiple * family.problem.subharmonic)),
       stops_(nodal_stops(family.problem, family.restitution)) {

@@ -57,7 +57,6 @@ class HatCurve {
   [[nodiscard]] Eigen::VectorXd on_pressing(const Eigen::VectorXd& all) const;
 
   [[nodiscard]] const HatFamily& family() const { return family_; }
-  [[nodiscard]] int multiple() const { return multiple_; }
   [[nodiscard]] int order() const { return problem_.subharmonic; }  ///< forcing periods per period
   [[nodiscard]] int samples() const { return samples_; }            ///< N of the motions of this multiple
   [[nodiscard]] int nodes() const { return samples_ * problem_.contact_count(); }  ///< N Nc
@@ -77,7 +76,6 @@ class HatCurve {
   [[nodiscard]] Eigen::VectorXd shifted_samples(const Eigen::MatrixXcd& spectrum) const;
 
   const HatFamily& family_;
-  int multiple_;
   int samples_;
   Problem problem_;
   NodalStops stops_;
