@@ -70,7 +70,6 @@ std::optional<ContactReceptance> response_to_impacts(const Problem& problem, con
 }  // namespace
 
 std::optional<ClosureSetup> closure_setup(const HarmonicSetup& setup, const ClosureSettings& settings) {
-  constexpr double kHarder = 8.0;
   const Problem& problem = *setup.problem;
   if (!std::holds_alternative<Restitution>(problem.law())) return std::nullopt;
   if (setup.receptance.rigid_count() > 0)
@@ -81,7 +80,7 @@ std::optional<ClosureSetup> closure_setup(const HarmonicSetup& setup, const Clos
             "its own, but the mean load fixes their sum and leaves the mean of the part open; "
             "hat-lcp and exact-orbit take both"};
   ClosureSetup closure{.restitution = settings.restitution,
-                       .stiffness_factor = settings.constant_is_chosen ? 1.0 : kHarder,
+                       .stiffness_factor = settings.constant_is_chosen ? 1.0 : 8.0,
                        .response = response_to_impacts(problem, setup.receptance)};
   if (!closure.response && closure.restitution == 1.0) return std::nullopt;
   if (closure.response && coarsest_hat_grid(problem) * problem.contact_count() <= kMostHatUnknowns)

@@ -13,9 +13,7 @@ namespace signorini {
 
 namespace {
 
-constexpr int kFewestHarmonics = 5;
 constexpr int kStartUnknowns = 800;  // harmonics times contacts: pivots grow with both
-constexpr double kStartFactor = 1.0 / 16.0;
 // Of the way to twice the harmonics at the full constant, which each point found is tried from at once.
 constexpr PathSteps kHarmonicSteps{.growth = kInfinity, .trials = 20};
 
@@ -44,10 +42,10 @@ ContinuationPoint continuation_start(const ContactReceptance& receptance) {
     if (receptance.free_response.row(n).cwiseAbs().maxCoeff() > 0.0) loaded = n;
   }
   const int affordable =
-      std::clamp(kStartUnknowns / std::max(1, receptance.contacts()), kFewestHarmonics, kDefaultHarmonics);
+      std::clamp(kStartUnknowns / std::max(1, receptance.contacts()), 5, kDefaultHarmonics);
   const int harmonics = std::max(affordable, 2 * loaded);
   if (harmonics >= receptance.harmonics()) return {};
-  return {harmonics, kStartFactor};
+  return {.harmonics = harmonics, .stiffness_factor = 1.0 / 16.0};
 }
 
 ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <memory>
 #include <optional>
 
 #include "methods/complementarity/projected_law.hpp"

@@ -15,9 +15,6 @@ namespace signorini {
 
 namespace {
 
-// A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
-constexpr double kEnergyIdentity = 1e-3;
-
 // Where the exact contact integral follows, kCoarseSampling will do: it decides the path, not the answer.
 int coarsest_grid(int harmonics, Quadrature quadrature) {
   const int per_harmonic = quadrature == Quadrature::exact ? kCoarseSampling : kSampledPerHarmonic;
@@ -114,7 +111,7 @@ Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& wo
     Refined refined = refine_quadrature(setup, grid, samples, work);
     const double ratio = net_work_ratio(refined.data.x, refined.data.lambda);
     const bool in_limit = options.max_iterations == 0 || steps_spent(work) <= options.max_iterations;
-    const bool identity = ratio <= kEnergyIdentity;
+    const bool identity = ratio <= 1e-3;  // good enough of a sampled answer
     const bool accepted = grid.solved && in_limit && (refined.exact || sampled || identity);
     solution.verdict = accepted ? Verdict::converged : Verdict::not_converged;
     solution.residual = grid.residual;

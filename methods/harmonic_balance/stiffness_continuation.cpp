@@ -18,7 +18,6 @@ constexpr double kStiffest = 10.0;  // behind which the stops' own law is tried,
 constexpr double kNoSpring = 1e6;
 constexpr PathSteps kStiffnessSteps{
     .first = 1.0, .largest = 4.0, .smallest = 0.07, .growth = 1.5};  // in log2 r
-constexpr double kNear = 1e-6;                                       // tolerance of all but the last
 
 /// The solves of one continuation.
 class Springs {
@@ -35,7 +34,7 @@ class Springs {
     const ProjectedLaw law = own ? equations_.law : on_springs(equations_.law, ratio);
     ExactProjectionSettings settings = settings_;
     settings.most = 15;
-    if (!own) settings.tolerance = std::max(kNear, settings_.tolerance);
+    if (!own) settings.tolerance = std::max(1e-6, settings_.tolerance);
     ExactProjection solved = project_exactly({equations_.receptance, equations_.gap, law}, lambda_, settings);
     iterations_ += solved.iterations;
     if (!solved.converged) return std::nullopt;

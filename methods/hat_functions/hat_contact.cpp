@@ -31,9 +31,8 @@ constexpr int kMarchedPeriods = 300;
 
 /// C_n under a scheme on N nodes, n = 0..N/2, and the reduced structure that it was found on.
 ReducedReceptance reduced_grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
-  ReducedReceptance found = reduced_contact_receptance(problem, samples / 2, [&](int n) {
-    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, problem.period() / samples);
-  });
+  ReducedReceptance found =
+      reduced_contact_receptance(problem, samples / 2, grid_weights(problem, scheme, samples));
   weigh_contact_force(found.value.receptance, scheme, samples);
   return found;
 }
@@ -215,6 +214,12 @@ std::unique_ptr<PreparedMethod> prepared_grid(const Problem& problem, const HatS
 
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
   return reduced_grid_receptance(problem, scheme, samples).value;
+}
+
+WeightsOfHarmonic grid_weights(const Problem& problem, HatScheme scheme, int samples) {
+  return [scheme, samples, step = problem.period() / samples](int n) {
+    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, step);
+  };
 }
 
 void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme scheme, int samples) {

@@ -61,6 +61,9 @@ std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSet
 /// \throws std::runtime_error if the structure cannot be factorised
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples);
 
+/// The weights of a scheme on N nodes of the scene's period, n = 0..N/2 (scheme_weights).
+WeightsOfHarmonic grid_weights(const Problem& problem, HatScheme scheme, int samples);
+
 /// Multiplies matrices in front of the nodal contact force, n = 0, 1, ..., by its weight on N nodes
 /// (contact_force_weight).
 void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme scheme, int samples);

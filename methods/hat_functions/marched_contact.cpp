@@ -27,17 +27,16 @@ class PreparedMarch final : public PreparedMethod {
     ContactMarch march(*reduction_, grid_);
     PeriodicMarch answer =
         march_to_periodic_motion(march, {.tolerance = tolerance_, .deadline = start.deadline});
-    Solution solution;
-    solution.verdict = answer.found() ? Verdict::converged : Verdict::not_converged;
-    solution.message = describe(answer.by);
+    Solution solution{.verdict = answer.found() ? Verdict::converged : Verdict::not_converged,
+                      .message = std::string(describe(answer.by)),
+                      .work = {.unknowns = grid_.samples * reduction_->contacts(),
+                               .iterations = answer.newton_steps,
+                               .factorisations = answer.work.factorisations},
+                      .residual = answer.residual};
     if (answer.motion.allFinite() && answer.motion.size() > 0) {
       solution.trajectory =
           std::make_shared<NodalTrajectory>(grid_.period, std::move(answer.motion), std::move(answer.force));
     }
-    solution.residual = answer.residual;
-    solution.work.unknowns = grid_.samples * reduction_->contacts();
-    solution.work.iterations = answer.newton_steps;
-    solution.work.factorisations = answer.work.factorisations;
     return solution;
   }
 

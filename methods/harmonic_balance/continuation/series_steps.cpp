@@ -170,7 +170,6 @@ std::optional<SeriesStep> SeriesSteps::begin_contact() {
 }
 
 std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nascent, double distance) {
-  constexpr int kUsual = 3;  // iterations, after which the length of a step stays about the same
   std::vector<ContactDepth> depths = here_.depths;
   depths.push_back(nascent.depth);
   curve_.follow(depths);
@@ -187,7 +186,7 @@ std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nasce
   curve_.follow(here_.depths);
   if (!curve_.evaluate(z) || target()) return std::nullopt;
   ceasing_.reset();
-  auto step = arrive(kUsual);
+  auto step = arrive(3);  // as after so many iterations: the length of a step stays about the same
   // Where the square falls again the contact began before.
   if (!step || !(square_rate(series_, beginning, step->next.slope) > 0.0)) return std::nullopt;
   length_ = step->length = here_.tangent.dot(z - here_.z);

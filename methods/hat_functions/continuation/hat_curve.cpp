@@ -3,7 +3,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "methods/hat_functions/hat_contact.hpp"
@@ -12,12 +11,8 @@ namespace signorini {
 
 namespace {
 
-double angle_of(int n, int samples) { return 2.0 * std::numbers::pi * n / samples; }
-
 ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int samples) {
-  const double step = problem.period() / samples;
-  ReceptanceRate result = receptance_with_rate(
-      problem, samples / 2, [&](int n) { return scheme_weights(scheme, angle_of(n, samples), step); });
+  ReceptanceRate result = receptance_with_rate(problem, samples / 2, grid_weights(problem, scheme, samples));
   weigh_contact_force(result.value.receptance, scheme, samples);
   weigh_contact_force(result.receptance, scheme, samples);
   return result;

@@ -212,8 +212,7 @@ class HatTracer final : public CurveTracer<HatStart> {
     const double turn = tangent ? std::acos(std::clamp(tangent->dot(tangent_), -1.0, 1.0)) : 0.0;
     x_ = curve_.x();
     if (tangent) tangent_ = *tangent;
-    constexpr double kNone = 1e-12;  // a step of no length, between two changes at one point
-    if (!(length > kNone * step_)) return;
+    if (!(length > 1e-12 * step_)) return;  // between two changes at one point
     append();
     just_changed_ = -1;
     const double longest =
