@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -54,18 +55,18 @@ class StepSearch {
   // Where all that can branch off has its own block, and the corrector stays on motions for which R_x is
   // regular.
   void pitchforks() {
-    SymmetricMotions motions(curve_.series());
+    SeriesCurve& series = curve_.series();
+    const AnyEquations motions = symmetric_motions(series);
     const CurveStep step{here_.x, here_.slope, here_.slope.dot(next_.x - here_.x)};
-    const auto test = [](SymmetricMotions& at) { return std::optional(pitchfork_test(at.series())); };
-    const auto at_end = [&](const Eigen::VectorXd& x) { return motions.evaluate(x) ? *test(motions) : 0.0; };
+    const std::function<std::optional<double>()> test = [&] { return pitchfork_test(series); };
+    const auto at_end = [&](const Eigen::VectorXd& x) { return series.evaluate(x) ? *test() : 0.0; };
     const double first = at_end(here_.x), last = at_end(next_.x);
     if (!(first * last < 0.0)) return;
     const auto length = locate(motions, step, test, first, last);
     if (!length) return;
     add(step_.length * *length / step.length, SpecialKind::branch_point, {});
     const Eigen::VectorXd slope = (here_.slope + next_.slope).normalized();
-    for (SeriesStart& other : pitchfork_branches(curve_.series(), slope))
-      events_.others.push_back(std::move(other));
+    for (SeriesStart& other : pitchfork_branches(series, slope)) events_.others.push_back(std::move(other));
   }
 
   void doublings() {

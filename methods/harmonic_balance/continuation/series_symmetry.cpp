@@ -126,4 +126,10 @@ std::vector<SeriesStart> pitchfork_branches(const SeriesCurve& curve, const Eige
   return both_ways(curve, direction, tangent);
 }
 
+AnyEquations symmetric_motions(SeriesCurve& curve) {
+  AnyEquations equations(curve);
+  equations.settle = [&curve](Eigen::VectorXd& x) { x = (0.5 * (x + mirrored(curve, x))).eval(); };
+  return equations;
+}
+
 }  // namespace signorini
