@@ -52,7 +52,10 @@ class MultiplierIteration {
   bool rise() {
     multiplier_.resize(0, 0);
     acceleration_ = AndersonAcceleration(depth_);
-    const double first = softest_share();
+    // Of rho where a penalty is soft beside the structure at the frequency of the motion.
+    constexpr double kSoft = 0.1;
+    const Eigen::VectorXd compliance = equations_.receptance.receptance[1].diagonal().cwiseAbs();
+    const double first = std::min(1.0, kSoft / compliance.cwiseProduct(equations_.law.constant).maxCoeff());
     return solve(equations_.receptance, first) && harden(first);
   }
 
@@ -61,7 +64,9 @@ class MultiplierIteration {
   bool update() {
     const int halvings = depth_ > 0 ? 6 : 0;
     if (multiplier_.size() == 0) multiplier_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
-    const Eigen::MatrixXcd before = multiplier_, next = next_multiplier();
+    const Eigen::MatrixXcd before = multiplier_;
+    const Eigen::MatrixXcd next = lipschitz_.force_of(
+        acceleration_.next(lipschitz_.unknowns_of(multiplier_), lipschitz_.unknowns_of(lambda_)));
     double part = 1.0;
     for (int k = 0; k <= halvings; ++k, part *= 0.5) {
       multiplier_ = before + part * (next - before);
@@ -95,18 +100,6 @@ class MultiplierIteration {
     };
     return follow_path(
         kSteps, advance, [&] { return solved >= 1.0; }, [] { return false; });
-  }
-
-  /// Of rho where a penalty is soft beside the structure at the frequency of the motion.
-  [[nodiscard]] double softest_share() const {
-    constexpr double kSoft = 0.1;
-    const Eigen::VectorXd compliance = equations_.receptance.receptance[1].diagonal().cwiseAbs();
-    return std::min(1.0, kSoft / compliance.cwiseProduct(equations_.law.constant).maxCoeff());
-  }
-
-  [[nodiscard]] Eigen::MatrixXcd next_multiplier() {
-    return lipschitz_.force_of(
-        acceleration_.next(lipschitz_.unknowns_of(multiplier_), lipschitz_.unknowns_of(lambda_)));
   }
 
   /// rho (x - g) - alpha mu = rho (x - alpha mu / rho - g): a multiplier is a part of the free response.

@@ -189,9 +189,9 @@ class ImpactClosing {
 /// From the scene on hat functions, from coarse to fine.
 std::optional<Solution> close_from_hat_functions(const HarmonicSetup& setup, ClosureSetup& closure,
                                                  const Start& start, Work& work, ImpactClosing& closing) {
-  std::optional<Resolutions>& affordable = closure.hat_grids;
-  if (!affordable) return closing.failed("no contact has mass beyond the harmonics, or they are too many");
-  Resolutions& grids = *affordable;
+  if (!closure.hat_grids)
+    return closing.failed("no contact has mass beyond the harmonics, or they are too many");
+  Resolutions& grids = *closure.hat_grids;
   grids.forget_from(0);  // preparing them is part of this solve
   const std::size_t count = setup.options.max_iterations > 0 ? 1 : grids.count();  // within a limit on steps
   int lasting = 0;

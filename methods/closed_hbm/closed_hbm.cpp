@@ -62,15 +62,11 @@ Support ClosedHbm::supports(const Problem& problem) const {
   return ProjectedMethod::supports(problem);
 }
 
-double ClosedHbm::restitution(const Restitution& law) const {
-  return options_.restitution == ImpactLaw::scene ? law.e : 1.0;
-}
-
 RepresentedLaw ClosedHbm::law(const Problem& problem) const {
   const Law scene_law = problem.law();
   const auto* rigid = std::get_if<Restitution>(&scene_law);
-  if (rigid != nullptr) return Restitution{restitution(*rigid)};
-  return ProjectedMethod::law(problem);
+  if (rigid == nullptr) return ProjectedMethod::law(problem);
+  return Restitution{options_.restitution == ImpactLaw::scene ? rigid->e : 1.0};
 }
 
 HarmonicMethod ClosedHbm::preset(const Problem& problem) const {
@@ -78,9 +74,7 @@ HarmonicMethod ClosedHbm::preset(const Problem& problem) const {
     return lipschitz_law(problem, c, level);
   };
   HarmonicMethod method = by_complementarity(law, common(), ComplementaritySolver::automatic);
-  const Law scene_law = problem.law();
-  const auto* rigid = std::get_if<Restitution>(&scene_law);
-  const ClosureSettings settings{.restitution = rigid != nullptr ? restitution(*rigid) : 1.0,
+  const ClosureSettings settings{.restitution = restitution_of(law_of_contact(this->law(problem), 0)),
                                  .constant_is_chosen = options_.c.has_value()};
   method.solver_of = [settings](const HarmonicSetup& setup) -> HarmonicSolver {
     std::optional<ClosureSetup> found = closure_setup(setup, settings);

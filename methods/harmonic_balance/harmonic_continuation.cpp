@@ -18,11 +18,9 @@ constexpr int kStartUnknowns = 800;  // harmonics times contacts: pivots grow wi
 constexpr PathSteps kHarmonicSteps{.growth = kInfinity, .trials = 20};
 
 /// lambda with zeros for the harmonics that it lacks.
-Eigen::MatrixXcd padded(const Eigen::MatrixXcd& lambda, int harmonics) {
-  Eigen::MatrixXcd longer = Eigen::MatrixXcd::Zero(harmonics + 1, lambda.cols());
-  const Eigen::Index common = std::min(longer.rows(), lambda.rows());
-  longer.topRows(common) = lambda.topRows(common);
-  return longer;
+Eigen::MatrixXcd padded(Eigen::MatrixXcd lambda, int harmonics) {
+  lambda.conservativeResizeLike(Eigen::MatrixXcd::Zero(harmonics + 1, lambda.cols()));
+  return lambda;
 }
 
 }  // namespace
