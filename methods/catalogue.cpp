@@ -1,8 +1,10 @@
 #include "methods/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <ranges>
 #include <utility>
-#include <vector>
 
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/augmented_lagrangian/augmented_lagrangian.hpp"
@@ -18,10 +20,10 @@ namespace signorini {
 
 namespace {
 
-std::vector<MethodEntry> methods_of_the_program() {
+std::vector<MethodEntry>& all_methods() {
   // One method per line.
   // clang-format off
-  return {
+  static std::vector<MethodEntry> entries{
       method_entry<HatLcp>(),
       method_entry<FourierLipschitz>(),
       method_entry<PenaltyHbm>(),
@@ -32,10 +34,6 @@ std::vector<MethodEntry> methods_of_the_program() {
       method_entry<ExactOrbitMethod>(),
   };
   // clang-format on
-}
-
-std::vector<MethodEntry>& all_methods() {
-  static std::vector<MethodEntry> entries = methods_of_the_program();
   return entries;
 }
 
@@ -47,8 +45,7 @@ void add_method(MethodEntry entry) {
   if (!is_lower_kebab_case(entry.name))
     throw InvalidOption("method = " + entry.name + " (must be a name in lower-kebab-case)");
   std::vector<MethodEntry>& entries = all_methods();
-  const auto same = [&](const MethodEntry& known) { return known.name == entry.name; };
-  if (std::any_of(entries.begin(), entries.end(), same))
+  if (std::ranges::find(entries, entry.name, &MethodEntry::name) != entries.end())
     throw InvalidOption("method = " + entry.name + " (must be new: there is a method of that name)");
   // Whatever the order in which plugins are found, tables have one.
   const auto place = std::find_if(entries.begin(), entries.end(), [&](const MethodEntry& known) {
@@ -64,19 +61,17 @@ std::string same_equations_as(const MethodEntry& entry, std::span<const OptionEc
     const auto holds = [&](const OptionEcho& option) {
       return option.name == same.option && option.value == OptionValue(same.value);
     };
-    if (std::any_of(options.begin(), options.end(), holds)) return same.method;
+    if (std::ranges::any_of(options, holds)) return same.method;
   }
   return {};
 }
 
 const MethodEntry& find_method(std::string_view name) {
-  std::string names;
-  for (const MethodEntry& entry : method_catalogue()) {
-    if (entry.name == name) return entry;
-    if (!names.empty()) names += ", ";
-    names += entry.name;
-  }
-  throw InvalidOption("method = " + std::string(name) + " (must be one of " + names + ")");
+  const std::vector<MethodEntry>& entries = all_methods();
+  const auto entry = std::ranges::find(entries, name, &MethodEntry::name);
+  if (entry != entries.end()) return *entry;
+  throw InvalidOption(fmt::format("method = {} (must be one of {})", name,
+                                  fmt::join(entries | std::views::transform(&MethodEntry::name), ", ")));
 }
 
 }  // namespace signorini

@@ -8,15 +8,6 @@ namespace signorini {
 
 namespace {
 
-struct SameLaw {
-  bool operator()(std::monostate, std::monostate) const { return true; }
-  bool operator()(Massless, Massless) const { return true; }
-  bool operator()(const Restitution& a, const Restitution& b) const { return a.e == b.e; }
-  bool operator()(const MixedLaws& a, const MixedLaws& b) const { return a.laws == b.laws; }
-  bool operator()(const Penalty& a, const Penalty& b) const { return a.stiffness == b.stiffness; }
-  bool operator()(const auto&, const auto&) const { return false; }
-};
-
 struct LawWords {
   std::string operator()(const Restitution& law) const { return fmt::format("restitution {:g}", law.e); }
   std::string operator()(const Spring&) const { return "a spring"; }
@@ -61,7 +52,7 @@ RepresentedLaw with_restitution(const Problem& problem, double e) {
 }
 
 bool law_matches(const RepresentedLaw& represented, const Law& scene) {
-  return std::visit(SameLaw{}, represented, scene);
+  return represented == as_represented(scene);
 }
 
 }  // namespace signorini

@@ -15,7 +15,10 @@
 namespace signorini {
 
 /// The impact law is not determined by the method's equations (see docs/theory.md).
-struct Undetermined {};
+struct Undetermined {
+  /// True.
+  bool operator==(const Undetermined&) const = default;
+};
 
 /// The law a method represents on a scene. std::monostate: no contact.
 using RepresentedLaw = std::variant<std::monostate, Restitution, Penalty, Massless, Undetermined, MixedLaws>;

@@ -24,22 +24,26 @@ std::string refuse(std::string_view key, std::string_view text, std::string_view
   return fmt::format("{} = {} ({})", key, text, requirement);
 }
 
-double parse_double(std::string_view key, std::string_view text) {
-  double value = 0.0;
+namespace {
+
+/// A number that the whole text is, and that its type holds.
+template <class Number>
+Number parsed(std::string_view key, std::string_view text, std::string_view requirement) {
+  Number value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw InvalidOption(refuse(key, text, "must be a finite number"));
-  }
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    throw InvalidOption(refuse(key, text, requirement));
   return value;
 }
 
+}  // namespace
+
+double parse_double(std::string_view key, std::string_view text) {
+  return parsed<double>(key, text, "must be a finite number");
+}
+
 long parse_integer(std::string_view key, std::string_view text) {
-  int value = 0;  // options are ints: a value that does not fit one is refused here
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) {
-    throw InvalidOption(refuse(key, text, "must be a whole number"));
-  }
-  return value;
+  return parsed<int>(key, text, "must be a whole number");
 }
 
 bool parse_bool(std::string_view key, std::string_view text) {

@@ -65,20 +65,15 @@ int parse_name(std::string_view key, std::string_view text, std::span<const std:
 std::string print(const Scaled& value);
 
 template <class T>
-struct IsOptional : std::false_type {};
+constexpr bool is_optional = false;
 template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
+constexpr bool is_optional<std::optional<T>> = true;
 
 template <class T>
 void parse_into(T& field, std::string_view key, std::string_view text) {
-  if constexpr (IsOptional<T>::value) {
-    if (text == "auto") {
-      field.reset();
-    } else {
-      typename T::value_type value{};
-      parse_into(value, key, text);
-      field = value;
-    }
+  if constexpr (is_optional<T>) {
+    field.reset();
+    if (text != "auto") parse_into(field.emplace(), key, text);
   } else if constexpr (std::is_same_v<T, bool>) {
     field = parse_bool(key, text);
   } else if constexpr (std::is_enum_v<T>) {
@@ -95,7 +90,7 @@ void parse_into(T& field, std::string_view key, std::string_view text) {
 
 template <class T>
 OptionValue echo_of(const T& field) {
-  if constexpr (IsOptional<T>::value) {
+  if constexpr (is_optional<T>) {
     return field ? echo_of(*field) : OptionValue{};
   } else if constexpr (std::is_same_v<T, bool>) {
     return field;

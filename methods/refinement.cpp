@@ -6,7 +6,6 @@
 #include <cmath>
 #include <exception>
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace signorini {
@@ -75,7 +74,7 @@ class RefinedUntilAgreed final : public PreparedMethod {
     std::string doubt;
     if (check.cut_short)
       doubt = "the time was up before a finer one could be asked";
-    else if (check.away && !near_by(*check.away))
+    else if (check.away && !(*check.away <= kNearOrbit))
       doubt = fmt::format("the motion at the resolution before is {:.2g} away", *check.away);
     else if (!rule_.only_confirmed || check.taken || check.agreed())
       return;
@@ -147,12 +146,9 @@ double static_deflection(const Problem& problem) {
 
 double size_at_rest(const Problem& problem) { return kAtRest * static_deflection(problem); }
 
-bool near_by(double distance) { return distance <= kNearOrbit; }
-
 void add_effort(const Work& part, Work& whole) {
-  if (part.pivots) whole.pivots = whole.pivots.value_or(0) + *part.pivots;
-  if (part.iterations) whole.iterations = whole.iterations.value_or(0) + *part.iterations;
-  if (part.factorisations) whole.factorisations = whole.factorisations.value_or(0) + *part.factorisations;
+  for (const auto count : {&Work::pivots, &Work::iterations, &Work::factorisations})
+    if (part.*count) whole.*count = (whole.*count).value_or(0) + *(part.*count);
 }
 
 }  // namespace signorini

@@ -48,7 +48,7 @@ struct RefinementRule {
   /// as it is.
   std::function<bool(const Solution&)> worth_refining = {};
   /// Only an answer that another resolution confirms is claimed; else the finest one is, unless it is nowhere
-  /// near the one before (`near_by`).
+  /// near the one before (kNearOrbit).
   bool only_confirmed = false;
   double least = 0.0;  ///< motions smaller than this are at rest [m]
 };
@@ -63,7 +63,8 @@ std::unique_ptr<PreparedMethod> refined_until_agreed(Resolutions resolutions, Re
 
 /// A motion farther from another than this, relative root mean square of x over the period, is not an
 /// approximation of it: the judge certifies no answer by an orbit so far away, and a method claims no motion
-/// so far from the one on the next coarser grid.
+/// so far from the one on the next coarser grid. Coarse answers may be off by 0.3 and are near the same
+/// orbit.
 inline constexpr double kNearOrbit = 0.5;
 
 /// |x_a - x_b| over the larger of the sizes of x_a and x_b about their means, root mean squares at so many
@@ -76,10 +77,6 @@ double static_deflection(const Problem& problem);
 
 /// What is rounding in motions of a scene with contacts: 1e-6 of the static deflection [m].
 double size_at_rest(const Problem& problem);
-
-/// Whether motions at this relative distance may be the same one, found with different errors: coarse answers
-/// may be off by 0.3 and are near the same orbit all the same.
-bool near_by(double distance);
 
 /// Pivots, iterations and factorisations of a part, added to those of the whole.
 void add_effort(const Work& part, Work& whole);

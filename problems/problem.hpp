@@ -67,11 +67,15 @@ struct Contact {
 /// Springs as stops, one stiffness per contact.
 struct Penalty {
   std::vector<double> stiffness;  ///< Nc, > 0 [N/m]
+  /// Whether all stiffnesses are the same numbers.
+  bool operator==(const Penalty&) const = default;
 };
 
 /// Contacts of different laws.
 struct MixedLaws {
   std::vector<ContactLaw> laws;  ///< Nc
+  /// Whether all laws are the same.
+  bool operator==(const MixedLaws&) const = default;
 };
 
 /// The laws of the contacts of a scene as one, for those who tell it and for methods that know one law only.

@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/complementarity/projected_residual.hpp"
-#include "methods/harmonic_balance/harmonic_setup.hpp"
-#include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/solvers/newton_krylov.hpp"
-#include "methods/structure/mean_balance.hpp"
 
 namespace signorini {
 
@@ -21,82 +17,56 @@ namespace {
 // homotopy takes over early.
 constexpr int kColdSteps = 5;
 
-class AftGridSolver final : public GridSolver {
- public:
-  AftGridSolver(const SolverSettings& settings, bool homotopy) : settings_(settings), homotopy_(homotopy) {}
+/// One run of Newton's method. The equations are piecewise linear: near a solution one full step ends it.
+NewtonKrylovResult newton_from(const Eigen::MatrixXcd& force, int steps, const SolverSettings& settings,
+                               ProjectedResidual& residual, const Start& start, Work& work) {
+  const int allowed = settings.max_iterations > 0 ? std::min(settings.max_iterations, steps) : steps;
+  NewtonKrylovResult newton =
+      solve_newton_krylov(residual, residual.unknowns_of(force), settings.tolerance,
+                          {.max_steps = allowed, .max_halvings = 16, .deadline = start.deadline});
+  count_iterations(newton.iterations, work);
+  return newton;
+}
 
-  [[nodiscard]] Work initial_counts() const override { return {.iterations = 0}; }
-
-  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
-                                   const Eigen::MatrixXcd& previous, const Start& start,
-                                   Work& work) const override {
-    ProjectedResidual residual(equations, samples, settings_.tolerance, {}, ContactIntegral::sampled);
-    const bool cold = previous.size() == 0 && !start.guess;
-    NewtonKrylovResult newton =
-        newton_from(first_force(equations, previous, start),
-                    cold && homotopy_ ? kColdSteps : DampedNewtonLimits{}.max_steps, residual, start, work);
-    const auto converged = [&] { return newton.end == NewtonEnd::solved; };
-    GridSolution solution{.message = converged() ? "Newton-Krylov" : "Newton-Krylov found no descent"};
-    if (!converged() && homotopy_ && !is_spent(settings_.max_iterations, work))
-      newton = from_homotopy(std::move(newton), residual, equations, start, work, solution.message);
-    solution.solved = converged();
-    // Newton alone that has lost its way is not helped by more samples.
-    solution.finer_may_help = (converged() || homotopy_) && !start.expired();
-    solution.lambda = residual.force_of(newton.unknowns);
-    solution.residual = newton.residual;
-    solution.condition = newton.condition;
-    return solution;
-  }
-
- private:
-  static Eigen::MatrixXcd first_force(const ProjectedEquations& equations, const Eigen::MatrixXcd& previous,
-                                      const Start& start) {
-    const ContactReceptance& receptance = equations.receptance;
-    if (previous.size() > 0) return previous;
-    if (start.guess) return carried_spectrum(receptance, *start.guess);
-    return Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts());
-  }
-
-  /// One run of Newton's method. The equations are piecewise linear: near a solution one full step ends it.
-  [[nodiscard]] NewtonKrylovResult newton_from(const Eigen::MatrixXcd& force, int steps,
-                                               ProjectedResidual& residual, const Start& start,
-                                               Work& work) const {
-    const int allowed = settings_.max_iterations > 0 ? std::min(settings_.max_iterations, steps) : steps;
-    NewtonKrylovResult newton =
-        solve_newton_krylov(residual, residual.unknowns_of(force), settings_.tolerance,
-                            {.max_steps = allowed, .max_halvings = 16, .deadline = start.deadline});
-    count_iterations(newton.iterations, work);
-    return newton;
-  }
-
-  /// Newton's method from the end of the gap homotopy, or `failed` where that has none.
-  [[nodiscard]] NewtonKrylovResult from_homotopy(NewtonKrylovResult failed, ProjectedResidual& residual,
-                                                 const ProjectedEquations& equations, const Start& start,
-                                                 Work& work, std::string& message) const {
-    const auto& [receptance, gap, law] = equations;
-    SolverSettings settings = settings_;
-    settings.deadline = start.deadline;
-    if (settings.max_iterations > 0) settings.max_iterations -= static_cast<int>(steps_spent(work));
-    const Lcp lcp = projected_lcp(receptance, gap, law, residual.samples());
-    const LcpResult path = solve_lcp(lcp, settings);
-    work.pivots = work.pivots.value_or(0) + path.pivots;
-    message = fmt::format("gap homotopy: {}", describe(path.status));
-    if (path.status != LcpStatus::solved) return failed;
-    const Eigen::MatrixXcd force = carried_coefficients(equations, lcp, path.z);
-    NewtonKrylovResult newton = newton_from(force, DampedNewtonLimits{}.max_steps, residual, start, work);
-    if (!newton.condition) newton.condition = path.condition;  // no step was needed
-    message = "gap homotopy and Newton-Krylov";
-    return newton;
-  }
-
-  SolverSettings settings_;
-  bool homotopy_;
-};
+/// Newton's method from the end of the gap homotopy; `newton` stays as it is where that has none. \return how
+/// it went
+std::string follow_homotopy(NewtonKrylovResult& newton, const ProjectedEquations& equations,
+                            const SolverSettings& settings, ProjectedResidual& residual, const Start& start,
+                            Work& work) {
+  const auto& [receptance, gap, law] = equations;
+  const Lcp lcp = projected_lcp(receptance, gap, law, residual.samples());
+  const LcpResult path = solve_lcp(lcp, remaining(settings, start, work));
+  work.pivots = work.pivots.value_or(0) + path.pivots;
+  if (path.status != LcpStatus::solved) return fmt::format("gap homotopy: {}", describe(path.status));
+  const Eigen::MatrixXcd force = carried_coefficients(equations, lcp, path.z);
+  newton = newton_from(force, DampedNewtonLimits{}.max_steps, settings, residual, start, work);
+  if (!newton.condition) newton.condition = path.condition;  // no step was needed
+  return "gap homotopy and Newton-Krylov";
+}
 
 }  // namespace
 
-std::unique_ptr<GridSolver> aft_grid_solver(const SolverSettings& settings, bool homotopy) {
-  return std::make_unique<AftGridSolver>(settings, homotopy);
+GridSolver aft_grid_solver(const SolverSettings& settings, bool homotopy) {
+  return
+      [settings, homotopy](const ProjectedEquations& equations, int samples, const Eigen::MatrixXcd& previous,
+                           const Start& start, Work& work) -> GridSolution {
+        ProjectedResidual residual(equations, samples, settings.tolerance, {}, ContactIntegral::sampled);
+        const bool cold = previous.size() == 0 && !start.guess;
+        const int steps = cold && homotopy ? kColdSteps : DampedNewtonLimits{}.max_steps;
+        NewtonKrylovResult newton = newton_from(first_force(equations.receptance, previous, start), steps,
+                                                settings, residual, start, work);
+        const auto converged = [&] { return newton.end == NewtonEnd::solved; };
+        std::string message = converged() ? "Newton-Krylov" : "Newton-Krylov found no descent";
+        if (!converged() && homotopy && !is_spent(settings.max_iterations, work))
+          message = follow_homotopy(newton, equations, settings, residual, start, work);
+        return {.solved = converged(),
+                // Newton alone that has lost its way is not helped by more samples.
+                .finer_may_help = (converged() || homotopy) && !start.expired(),
+                .lambda = residual.force_of(newton.unknowns),
+                .residual = newton.residual,
+                .condition = newton.condition,
+                .message = std::move(message)};
+      };
 }
 
 }  // namespace signorini

@@ -1,8 +1,6 @@
 #pragma once
 // The alternating frequency/time equations on a grid, by Newton-Krylov and a homotopy in the gap.
 
-#include <memory>
-
 #include "methods/harmonic_balance/grid_solver.hpp"
 
 namespace signorini {
@@ -12,6 +10,6 @@ namespace signorini {
 /// failing that, from the end of the gap homotopy of the same equations on the same samples, which pivoting
 /// follows (complementarity_solver.hpp). \param settings  tolerance on ProjectedResidual::error; limit on
 /// Newton steps plus pivots in all \param homotopy  whether the gap homotopy follows where Newton fails
-std::unique_ptr<GridSolver> aft_grid_solver(const SolverSettings& settings, bool homotopy = true);
+GridSolver aft_grid_solver(const SolverSettings& settings, bool homotopy = true);
 
 }  // namespace signorini

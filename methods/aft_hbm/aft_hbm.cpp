@@ -24,7 +24,8 @@ HarmonicMethod AftHbm::preset(const Problem& problem) const {
           .grid_solver = aft_grid_solver(
               {.tolerance = common().tolerance, .max_iterations = common().max_iterations}, homotopy),
           .solver_is_open = homotopy,
-          .newton_from_guess = false};  // its own Newton method takes the guess, on the first grid
+          .newton_from_guess = false,  // its own Newton method takes the guess, on the first grid
+          .counts = {.iterations = 0}};
 }
 
 }  // namespace signorini

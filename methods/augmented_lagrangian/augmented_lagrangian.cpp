@@ -20,20 +20,19 @@ RepresentedLaw AugmentedLagrangian::law(const Problem& problem) const {
 }
 
 HarmonicMethod AugmentedLagrangian::preset(const Problem& problem) const {
-  constexpr int kManyUnknowns = 400;  // after pivots a soft penalty is still to be hardened
   const SolverSettings settings{.tolerance = common().tolerance, .max_iterations = common().max_iterations};
   return {.law_at = [&problem, penalty = options_.penalty](
                         const ContactReceptance& level) { return augmented_law(problem, penalty, level); },
           .grid_solver = multiplier_grid_solver(settings, options_.max_updates, options_.plain),
           .solver_is_open = !options_.plain,
           .on_grids_only = true,
-          .many_unknowns = kManyUnknowns};
+          .many_unknowns = 400,  // after pivots a soft penalty is still to be hardened
+          .counts = options_.plain ? Work{.iterations = 0} : Work{.iterations = 0, .pivots = 0}};
 }
 
 ProjectedLaw augmented_law(const Problem& problem, const std::optional<Scaled>& penalty,
                            const ContactReceptance& receptance) {
-  constexpr double kMultiple = 32.0;  // an update then leaves less than a sixth of an error, up to H = 20
-  const Eigen::VectorXd unasked = kMultiple * highest_dynamic_stiffness(receptance);
+  const Eigen::VectorXd unasked = kAugmentedMultiple * highest_dynamic_stiffness(receptance);
   ProjectedLaw law = penalty_law(problem, {.asked = penalty}, receptance);
   law.multiplier_weight.setOnes();
   for (Eigen::Index j = 0; j < law.constant.size(); ++j) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,31 +18,6 @@ namespace signorini {
 
 namespace {
 
-/// The updates of the multiplier so far, by the residual that each left.
-class Convergence {
- public:
-  void add(double residual) {
-    factor_ = count_ > 0 ? residual / last_ : 0.0;
-    last_ = residual;
-    least_ = std::min(least_, residual);
-    ++count_;
-  }
-  [[nodiscard]] double last() const { return last_; }
-  [[nodiscard]] int updates() const { return count_ - 1; }
-  /// Of the last update [-].
-  [[nodiscard]] double factor() const { return factor_; }
-  /// Far above the least residual met: an error that grows by a factor takes few updates to get there.
-  [[nodiscard]] bool diverges() const {
-    constexpr double kGrown = 1e3;
-    return !std::isfinite(last_) || last_ > kGrown * least_;
-  }
-
- private:
-  int count_ = 0;
-  double last_ = 0.0, factor_ = 0.0;
-  double least_ = std::numeric_limits<double>::infinity();
-};
-
 /// One solve on a grid.
 class MultiplierIteration {
  public:
@@ -52,8 +26,8 @@ class MultiplierIteration {
       : equations_(equations),
         settings_(settings),
         lipschitz_(equations, settings.samples, settings.tolerance),
-        acceleration_(accelerated ? kDepth : 0),
-        accelerated_(accelerated),
+        depth_(accelerated ? 8 : 0),
+        acceleration_(depth_),
         lambda_(std::move(lambda)) {}
 
   [[nodiscard]] const Eigen::MatrixXcd& lambda() const { return lambda_; }
@@ -70,24 +44,29 @@ class MultiplierIteration {
   /// Solves the penalty rho with mu = 0: through rising penalties or, with pivots, from a penalty of the size
   /// of the highest dynamic stiffness. False where no way leads there.
   bool begin(bool by_pivoting, const Start& start) {
-    constexpr double kPivoted = 1.0 / 32.0;  // of rho: long contacts, which a grid resolves
+    constexpr double kPivoted = 1.0 / kAugmentedMultiple;  // of rho: long contacts, which a grid resolves
     return by_pivoting ? pivot(kPivoted, start) && harden(kPivoted) : rise();
   }
 
   /// Solves the penalty rho with mu = 0 through rising penalties, from the present lambda.
   bool rise() {
     multiplier_.resize(0, 0);
-    acceleration_ = AndersonAcceleration(accelerated_ ? kDepth : 0);
-    const double first = softest_share();
+    acceleration_ = AndersonAcceleration(depth_);
+    // Of rho where a penalty is soft beside the structure at the frequency of the motion.
+    constexpr double kSoft = 0.1;
+    const Eigen::VectorXd compliance = equations_.receptance.receptance[1].diagonal().cwiseAbs();
+    const double first = std::min(1.0, kSoft / compliance.cwiseProduct(equations_.law.constant).maxCoeff());
     return solve(equations_.receptance, first) && harden(first);
   }
 
   /// One update of the multiplier, to lambda or, accelerated, beyond it; less far where Newton's method does
   /// not follow. False where it follows nowhere.
   bool update() {
-    const int halvings = accelerated_ ? 6 : 0;
+    const int halvings = depth_ > 0 ? 6 : 0;
     if (multiplier_.size() == 0) multiplier_ = Eigen::MatrixXcd::Zero(lambda_.rows(), lambda_.cols());
-    const Eigen::MatrixXcd before = multiplier_, next = next_multiplier();
+    const Eigen::MatrixXcd before = multiplier_;
+    const Eigen::MatrixXcd next = lipschitz_.force_of(
+        acceleration_.next(lipschitz_.unknowns_of(multiplier_), lipschitz_.unknowns_of(lambda_)));
     double part = 1.0;
     for (int k = 0; k <= halvings; ++k, part *= 0.5) {
       multiplier_ = before + part * (next - before);
@@ -101,9 +80,8 @@ class MultiplierIteration {
   bool pivot(double share, const Start& start) {
     const ProjectedLaw law = penalty(share);
     Work work;
-    const GridSolution solved =
-        lcp_grid_solver({.tolerance = settings_.tolerance})
-            ->solve({equations_.receptance, equations_.gap, law}, settings_.samples, {}, start, work);
+    const GridSolution solved = lcp_grid_solver({.tolerance = settings_.tolerance})(
+        {equations_.receptance, equations_.gap, law}, settings_.samples, {}, start, work);
     pivots_ += work.pivots.value_or(0);
     if (!solved.solved) return false;
     lambda_ = solved.lambda;
@@ -122,18 +100,6 @@ class MultiplierIteration {
     };
     return follow_path(
         kSteps, advance, [&] { return solved >= 1.0; }, [] { return false; });
-  }
-
-  /// Of rho where a penalty is soft beside the structure at the frequency of the motion.
-  [[nodiscard]] double softest_share() const {
-    constexpr double kSoft = 0.1;
-    const Eigen::VectorXd compliance = equations_.receptance.receptance[1].diagonal().cwiseAbs();
-    return std::min(1.0, kSoft / compliance.cwiseProduct(equations_.law.constant).maxCoeff());
-  }
-
-  [[nodiscard]] Eigen::MatrixXcd next_multiplier() {
-    return lipschitz_.force_of(
-        acceleration_.next(lipschitz_.unknowns_of(multiplier_), lipschitz_.unknowns_of(lambda_)));
   }
 
   /// rho (x - g) - alpha mu = rho (x - alpha mu / rho - g): a multiplier is a part of the free response.
@@ -161,13 +127,11 @@ class MultiplierIteration {
     return true;
   }
 
-  static constexpr int kDepth = 8;
-
   const ProjectedEquations& equations_;
   ExactProjectionSettings settings_;
   ProjectedResidual lipschitz_;
+  int depth_;  // of the acceleration; 0: none
   AndersonAcceleration acceleration_;
-  bool accelerated_;
   Eigen::MatrixXcd lambda_;      // (H+1) x Nc [N]
   Eigen::MatrixXcd multiplier_;  // mu behind lambda, of the same size; empty: none yet
   std::optional<double> condition_;
@@ -175,87 +139,78 @@ class MultiplierIteration {
   long pivots_ = 0;
 };
 
-class MultiplierGridSolver final : public GridSolver {
- public:
-  MultiplierGridSolver(const SolverSettings& settings, int updates, bool plain)
-      : settings_(settings), updates_(updates), plain_(plain) {}
+/// What the updates ask of a solve.
+struct UpdateLimits {
+  double tolerance = 0.0;  // on the residual [-]
+  int updates = 0;
+  int newton_steps = 0;  // 0: not limited
 
-  [[nodiscard]] Work initial_counts() const override {
-    return plain_ ? Work{.iterations = 0} : Work{.iterations = 0, .pivots = 0};
+  [[nodiscard]] bool permit_more_steps(const MultiplierIteration& iteration) const {
+    return newton_steps == 0 || iteration.newton_steps() < newton_steps;
   }
+};
 
-  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
-                                   const Eigen::MatrixXcd& previous, const Start& start,
-                                   Work& work) const override {
-    const int harmonics = equations.receptance.harmonics();
+/// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away; residual and
+/// message into `solution`. False where Newton's method does not follow.
+bool iterate(MultiplierIteration& iteration, const UpdateLimits& limits, const char* origin,
+             GridSolution& solution) {
+  constexpr double kGrown = 1e3;  // an error that grows by a factor takes few updates to get there
+  bool follows = true;
+  int updates = 0;
+  double residual = iteration.residual(), least = residual, factor = 0.0;
+  const char* end = "solved";
+  while (!(residual <= limits.tolerance)) {
+    if (!std::isfinite(residual) || residual > kGrown * least) {
+      end = "divergence";
+    } else if (updates >= limits.updates || !limits.permit_more_steps(iteration)) {
+      end = "not converged";
+    } else if (follows = iteration.update(); !follows) {
+      end = "Newton's method does not follow";
+    } else {
+      const double before = std::exchange(residual, iteration.residual());
+      factor = residual / before;
+      least = std::min(least, residual);
+      ++updates;
+      continue;
+    }
+    break;
+  }
+  solution.residual = residual;
+  const std::string last =
+      updates > 0 ? fmt::format(", residual times {:.2g} in the last", factor) : std::string();
+  solution.message = fmt::format("{} after {} updates of the multiplier{}{}", end, updates, last, origin);
+  return follows;
+}
+
+}  // namespace
+
+GridSolver multiplier_grid_solver(const SolverSettings& settings, int updates, bool plain) {
+  const UpdateLimits limits{settings.tolerance, updates, settings.max_iterations};
+  return [limits, plain](const ProjectedEquations& equations, int samples, const Eigen::MatrixXcd& previous,
+                         const Start& start, Work& work) {
     const bool cold = previous.size() == 0 && !start.guess;
-    Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(harmonics + 1, equations.receptance.contacts());
-    if (!cold) lambda = previous.size() > 0 ? previous : carried_spectrum(equations.receptance, *start.guess);
     MultiplierIteration iteration(
-        equations, {.samples = samples, .tolerance = settings_.tolerance, .deadline = start.deadline},
-        std::move(lambda), !plain_);
-    GridSolution solution{.finer_may_help = !plain_ && !start.expired()};
-    bool begun = !cold || iteration.begin(!plain_, start);
-    if (begun && !iterate(iteration, "", solution) && !cold && !plain_ && may_go_on(iteration)) {
+        equations, {.samples = samples, .tolerance = limits.tolerance, .deadline = start.deadline},
+        first_force(equations.receptance, previous, start), !plain);
+    GridSolution solution{.finer_may_help = !plain && !start.expired()};
+    bool begun = !cold || iteration.begin(!plain, start);
+    if (begun && !iterate(iteration, limits, "", solution) && !cold && !plain &&
+        limits.permit_more_steps(iteration)) {
       // As a multiplier the force given is too far away for Newton's method.
       begun = iteration.rise();
-      if (begun) iterate(iteration, ", from soft penalties", solution);
+      if (begun) iterate(iteration, limits, ", from soft penalties", solution);
     }
     if (!begun) {
       solution.message = "no solution of the penalty";
       solution.residual = iteration.residual();
     }
-    solution.solved = solution.residual <= settings_.tolerance;
+    solution.solved = solution.residual <= limits.tolerance;
     solution.lambda = iteration.lambda();
     solution.condition = iteration.condition();
     count_iterations(iteration.newton_steps(), work);
-    if (!plain_) work.pivots = work.pivots.value_or(0) + iteration.pivots();
+    if (!plain) work.pivots = work.pivots.value_or(0) + iteration.pivots();
     return solution;
-  }
-
- private:
-  [[nodiscard]] bool may_go_on(const MultiplierIteration& iteration) const {
-    return settings_.max_iterations == 0 || iteration.newton_steps() < settings_.max_iterations;
-  }
-
-  /// Updates the multiplier until the residual is accepted, or a limit is met, or it leads away; residual and
-  /// message into `solution`. False where Newton's method does not follow.
-  bool iterate(MultiplierIteration& iteration, const char* origin, GridSolution& solution) const {
-    bool follows = true;
-    Convergence convergence;
-    convergence.add(iteration.residual());
-    const char* end = "solved";
-    while (!(convergence.last() <= settings_.tolerance)) {
-      if (convergence.diverges()) {
-        end = "divergence";
-      } else if (convergence.updates() >= updates_ || !may_go_on(iteration)) {
-        end = "not converged";
-      } else if (follows = iteration.update(); !follows) {
-        end = "Newton's method does not follow";
-      } else {
-        convergence.add(iteration.residual());
-        continue;
-      }
-      break;
-    }
-    solution.residual = convergence.last();
-    const std::string factor = convergence.updates() > 0
-                                   ? fmt::format(", residual times {:.2g} in the last", convergence.factor())
-                                   : "";
-    solution.message =
-        fmt::format("{} after {} updates of the multiplier{}{}", end, convergence.updates(), factor, origin);
-    return follows;
-  }
-
-  SolverSettings settings_;
-  int updates_;
-  bool plain_;
-};
-
-}  // namespace
-
-std::unique_ptr<GridSolver> multiplier_grid_solver(const SolverSettings& settings, int updates, bool plain) {
-  return std::make_unique<MultiplierGridSolver>(settings, updates, plain);
+  };
 }
 
 }  // namespace signorini

@@ -1,12 +1,14 @@
 #pragma once
 // Penalty solves inside, updates of the multiplier outside.
 
-#include <memory>
-
 #include "methods/harmonic_balance/grid_solver.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
 
 namespace signorini {
+
+/// rho over the highest dynamic stiffness where it is left to the method: an update then leaves less than a
+/// sixth of an error, up to H = 20 [-].
+inline constexpr double kAugmentedMultiple = 32.0;
 
 /// Solves the projected equations of a law (rho, alpha) with the multiplier mu taken out of the contact
 /// condition [alart1991]:
@@ -32,7 +34,6 @@ namespace signorini {
 ///
 /// \param settings  tolerance on the residual; limit on Newton steps, asked for between updates
 /// \param updates   of the multiplier, at most
-std::unique_ptr<GridSolver> multiplier_grid_solver(const SolverSettings& settings, int updates,
-                                                   bool plain = false);
+GridSolver multiplier_grid_solver(const SolverSettings& settings, int updates, bool plain = false);
 
 }  // namespace signorini

@@ -19,31 +19,22 @@ namespace signorini {
 
 namespace {
 
-constexpr double kPassedStop = 1e-6;  // of the motion, X beyond a stop between impacts
-constexpr int kLongestOnGrid = 3;     // nodes that an impact may press on a grid of hat functions
 constexpr int kFewestSeeds = 1024;
 constexpr double kNoForce = 1e-9;  // of the largest force: no contact
 
 /// How the phases of a sampled force are told.
 struct SeedSampling {
   int count = 0;       // instants
-  int longest = 0;     // that an impact may press
+  int longest = 0;     // instants that an impact may press
   int resolution = 1;  // without force that separate two phases
 };
 
 SeedSampling seed_sampling(const Trajectory& motion) {
-  if (const auto nodes = motion.nodes()) return {*nodes, kLongestOnGrid, 2};
+  if (const auto nodes = motion.nodes()) return {.count = *nodes, .longest = 3, .resolution = 2};
   if (!motion.impulses().empty()) return {kFewestSeeds, 0, 1};
   const int harmonics = std::max(1, motion.bandwidth().value_or(kFewestSeeds / kResolvingSamples));
   return {kResolvingSamples * harmonics, static_cast<int>(kLongestContact * kResolvingSamples),
           kResolvingSamples};
-}
-
-void append(int contact, double turn, double force, std::vector<int>& contacts,
-            std::vector<double>& moments) {
-  contacts.push_back(contact);
-  moments.push_back(turn - std::floor(turn));
-  moments.push_back(force);
 }
 
 /// One solve by impact closure.
@@ -69,7 +60,7 @@ class ImpactClosing {
     if (!settled) return failed("instants and impulses of the impacts do not settle");
     count_iterations(settled->steps, work_);
     if (!motion_->are_separate(settled->impacts)) return failed("two contacts are struck at once");
-    if (motion_->overshoot(settled->impacts) > kPassedStop * motion_->size(settled->impacts))
+    if (motion_->overshoot(settled->impacts) > 1e-6 * motion_->size(settled->impacts))
       return failed("the motion behind the impacts passes a stop");
     return closed(settled->impacts, how);
   }
@@ -90,15 +81,15 @@ class ImpactClosing {
     return exact_solution(setup_.equations(), held, "permanent contact");
   }
 
-  /// Why the last attempt failed.
-  [[nodiscard]] const std::string& reason() const { return reason_; }
-  /// Whether some attempt failed for want of harmonics alone.
-  [[nodiscard]] bool harmonics_may_help() const { return harmonics_may_help_; }
-
   /// Takes down why an attempt failed.
   std::nullopt_t failed(std::string_view reason) {
     reason_ = reason;
     return std::nullopt;
+  }
+
+  /// What the attempts have come to.
+  [[nodiscard]] ClosedAnswer ended(std::optional<Solution> answer) const {
+    return {.answer = std::move(answer), .reason = reason_, .harmonics_may_help = harmonics_may_help_};
   }
 
  private:
@@ -167,13 +158,12 @@ class ImpactClosing {
 
   [[nodiscard]] Solution answer(const ProjectedLaw& law, const ImpactClosure& closure,
                                 const PeriodicImpacts& closed, const std::string& how) const {
-    constexpr double kSaid = 0.01;  // of the motion
     FourierTrajectory::Data data = series_data({setup_.receptance, setup_.gap, law}, closure.lambda);
     data.shifts = closure.shifts;
     const int impacts = closed.count();
     const double moved = moved_by_width(closure.lambda, closed);
     const std::string warning =
-        moved > kSaid
+        moved > 0.01
             ? fmt::format("; near a resonance: the width of its forces moves it by {:.2g} of its size", moved)
             : "";
     return {
@@ -192,16 +182,16 @@ class ImpactClosing {
   const Start& start_;
   Work& work_;
   std::optional<ImpactMotion> motion_;  // none where no contact has mass
-  std::string reason_;
-  bool harmonics_may_help_ = false;
+  std::string reason_;                  // why the last attempt failed
+  bool harmonics_may_help_ = false;     // some attempt failed for want of them alone
 };
 
 /// From the scene on hat functions, from coarse to fine.
 std::optional<Solution> close_from_hat_functions(const HarmonicSetup& setup, ClosureSetup& closure,
                                                  const Start& start, Work& work, ImpactClosing& closing) {
-  std::optional<Resolutions>& affordable = closure.hat_grids;
-  if (!affordable) return closing.failed("no contact has mass beyond the harmonics, or they are too many");
-  Resolutions& grids = *affordable;
+  if (!closure.hat_grids)
+    return closing.failed("no contact has mass beyond the harmonics, or they are too many");
+  Resolutions& grids = *closure.hat_grids;
   grids.forget_from(0);  // preparing them is part of this solve
   const std::size_t count = setup.options.max_iterations > 0 ? 1 : grids.count();  // within a limit on steps
   int lasting = 0;
@@ -238,9 +228,13 @@ ImpactSeeds impact_seeds(const Trajectory& motion) {
   ImpactSeeds seeds;
   std::vector<int> contacts;
   std::vector<double> moments;
+  const auto append = [&](int contact, double turn, double force) {
+    contacts.push_back(contact);
+    moments.push_back(turn - std::floor(turn));
+    moments.push_back(force);
+  };
   for (const Impulse& impulse : motion.impulses())
-    append(impulse.contact, impulse.time / motion.period(), -impulse.value / motion.period(), contacts,
-           moments);
+    append(impulse.contact, impulse.time / motion.period(), -impulse.value / motion.period());
   const SeedSampling sampling = seed_sampling(motion);
   const Eigen::MatrixXd force = motion.sample(sampling.count).force;
   const double none = kNoForce * force.cwiseAbs().maxCoeff();
@@ -254,7 +248,7 @@ ImpactSeeds impact_seeds(const Trajectory& motion) {
         sum += push;
         first += push * (phase.first + i);
       }
-      append(static_cast<int>(c), first / (sum * sampling.count), sum / sampling.count, contacts, moments);
+      append(static_cast<int>(c), first / (sum * sampling.count), sum / sampling.count);
     }
   }
   seeds.impacts.moments =
@@ -265,24 +259,20 @@ ImpactSeeds impact_seeds(const Trajectory& motion) {
 
 ClosedAnswer close_answer(const HarmonicSetup& setup, ClosureSetup& closure, const Start& start, Work& work) {
   ImpactClosing closing(setup, closure, start, work);
-  ClosedAnswer result;
-  if (start.guess) result.answer = closing.from(*start.guess, "impacts of the guess");
-  if (!result.answer) result.answer = closing.contact_free();
-  if (!result.answer) result.answer = closing.permanent_contact();
-  if (!result.answer) result.answer = close_from_hat_functions(setup, closure, start, work, closing);
-  if (!result.answer) result.reason = start.expired() ? "the time is up" : closing.reason();
-  result.harmonics_may_help = closing.harmonics_may_help();
-  return result;
+  std::optional<Solution> answer;
+  if (start.guess) answer = closing.from(*start.guess, "impacts of the guess");
+  if (!answer) answer = closing.contact_free();
+  if (!answer) answer = closing.permanent_contact();
+  if (!answer) answer = close_from_hat_functions(setup, closure, start, work, closing);
+  if (start.expired()) closing.failed("the time is up");
+  return closing.ended(std::move(answer));
 }
 
 ClosedAnswer close_series(const HarmonicSetup& setup, const ClosureSetup& closure, const Solution& series,
                           const Start& start, Work& work) {
   if (presses_throughout_or_never(*series.trajectory)) return {.answer = series};
   ImpactClosing closing(setup, closure, start, work);
-  ClosedAnswer result{.answer = closing.from(*series.trajectory, series.message)};
-  if (!result.answer) result.reason = closing.reason();
-  result.harmonics_may_help = closing.harmonics_may_help();
-  return result;
+  return closing.ended(closing.from(*series.trajectory, series.message));
 }
 
 }  // namespace signorini

@@ -24,7 +24,7 @@ ImpactSeeds impact_seeds(const Trajectory& motion);
 /// The end of an impact closure.
 struct ClosedAnswer {
   std::optional<Solution> answer = {};  ///< under the scene's restitution; without its work
-  std::string reason = {};              ///< why there is none, one sentence
+  std::string reason = {};              ///< why there is none, one sentence; else why attempts before failed
   /// Whether more harmonics may change that: not where a contact lasts, or no impacts are found that obey the
   /// law, which is asked of all harmonics whatever H.
   bool harmonics_may_help = false;

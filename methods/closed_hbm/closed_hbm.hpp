@@ -64,9 +64,6 @@ class ClosedHbm final : public ProjectedMethod {
 
  private:
   [[nodiscard]] HarmonicMethod preset(const Problem& problem) const override;
-  [[nodiscard]] MakeHarmonicSolver solver_of(const Problem& problem) const override;
-  /// The restitution of its impacts on a scene with rigid stops.
-  [[nodiscard]] double restitution(const Restitution& law) const;
 
   Options options_;
 };

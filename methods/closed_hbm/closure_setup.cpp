@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <ranges>
 #include <utility>
 
 #include "methods/hat_functions/hat_contact.hpp"
@@ -17,10 +17,8 @@ namespace {
 constexpr int kClosedResponse = 128, kMostClosedResponse = 1024;
 
 bool any_has_mass(const ContactReceptance& response, int harmonic) {
-  for (int c = 0; c < response.contacts(); ++c) {
-    if (is_mass_beyond(response, c, harmonic)) return true;
-  }
-  return false;
+  return std::ranges::any_of(std::views::iota(0, response.contacts()),
+                             [&](int c) { return is_mass_beyond(response, c, harmonic); });
 }
 
 /// C_n, n = 0..L; nothing where an undamped mode answers to one of these harmonics.
@@ -69,19 +67,9 @@ std::optional<ContactReceptance> response_to_impacts(const Problem& problem, con
   return with_modes_of_impacts(problem, *std::move(extended), harmonics);
 }
 
-/// The scene on hat functions with this restitution. Empty where it has too many contacts for as many nodes.
-/// `problem` must outlive the result.
-std::optional<Resolutions> affordable_hat_grids(const Problem& problem, double restitution,
-                                                int max_iterations) {
-  if (coarsest_hat_grid(problem) * problem.contact_count() > kMostHatUnknowns) return std::nullopt;
-  return hat_grids(problem, {.max_iterations = max_iterations},
-                   NodalRestitution(problem.contacts.size(), restitution));
-}
-
 }  // namespace
 
 std::optional<ClosureSetup> closure_setup(const HarmonicSetup& setup, const ClosureSettings& settings) {
-  constexpr double kHarder = 8.0;
   const Problem& problem = *setup.problem;
   if (!std::holds_alternative<Restitution>(problem.law())) return std::nullopt;
   if (setup.receptance.rigid_count() > 0)
@@ -92,11 +80,12 @@ std::optional<ClosureSetup> closure_setup(const HarmonicSetup& setup, const Clos
             "its own, but the mean load fixes their sum and leaves the mean of the part open; "
             "hat-lcp and exact-orbit take both"};
   ClosureSetup closure{.restitution = settings.restitution,
-                       .stiffness_factor = settings.constant_is_chosen ? 1.0 : kHarder,
+                       .stiffness_factor = settings.constant_is_chosen ? 1.0 : 8.0,
                        .response = response_to_impacts(problem, setup.receptance)};
   if (!closure.response && closure.restitution == 1.0) return std::nullopt;
-  if (closure.response)
-    closure.hat_grids = affordable_hat_grids(problem, closure.restitution, setup.options.max_iterations);
+  if (closure.response && coarsest_hat_grid(problem) * problem.contact_count() <= kMostHatUnknowns)
+    closure.hat_grids = hat_grids(problem, {.max_iterations = setup.options.max_iterations},
+                                  NodalRestitution(problem.contacts.size(), closure.restitution));
   return closure;
 }
 

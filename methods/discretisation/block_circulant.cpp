@@ -1,7 +1,6 @@
 #include "methods/discretisation/block_circulant.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "methods/discretisation/lag_bounds.hpp"

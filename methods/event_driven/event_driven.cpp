@@ -32,12 +32,10 @@ class PreparedEventDriven final : public PreparedMethod {
 }  // namespace
 
 EventDriven::EventDriven(const Options& options) : options_(options) {
-  constexpr double kTightest = 1e-13, kLoosest = 1e-3;
-  constexpr int kLargestOrder = 64;
-  require_option(options.tolerance >= kTightest && options.tolerance <= kLoosest, "tolerance",
-                 options.tolerance, "must be in [1e-13, 1e-3]");
+  require_option(options.tolerance >= 1e-13 && options.tolerance <= 1e-3, "tolerance", options.tolerance,
+                 "must be in [1e-13, 1e-3]");
   require_option(options.max_iterations >= 1, "max_iterations", options.max_iterations, "must be at least 1");
-  require_option(options.max_order >= 1 && options.max_order <= kLargestOrder, "max_order", options.max_order,
+  require_option(options.max_order >= 1 && options.max_order <= 64, "max_order", options.max_order,
                  "must be in 1..64");
 }
 

@@ -49,8 +49,8 @@ GridSolution solve_at(const HarmonicSetup& setup, double frequency, const Eigen:
   try {
     const ContactReceptance receptance = fourier_receptance(problem, harmonics);
     const ProjectedLaw law = setup.method.law_at(receptance);
-    return setup.method.grid_solver->solve(
-        {receptance, setup.gap, law}, setup.options.fixed_samples(harmonics).value(), lambda, budget, work);
+    return setup.method.grid_solver({receptance, setup.gap, law},
+                                    setup.options.fixed_samples(harmonics).value(), lambda, budget, work);
   } catch (const SingularStiffness& error) {
     return {.message = error.what()};
   }

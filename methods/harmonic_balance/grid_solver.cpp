@@ -4,67 +4,53 @@
 
 #include "methods/complementarity/forms.hpp"
 #include "methods/refinement.hpp"
+#include "methods/structure/mean_balance.hpp"
 #include "methods/structure/periodic_response.hpp"
 
 namespace signorini {
 
-namespace {
+SolverSettings remaining(SolverSettings settings, const Start& start, const Work& work) {
+  settings.deadline = start.deadline;
+  if (settings.max_iterations > 0)
+    settings.max_iterations = static_cast<int>(std::max(1L, settings.max_iterations - steps_spent(work)));
+  return settings;
+}
 
-class LcpGridSolver final : public GridSolver {
- public:
-  explicit LcpGridSolver(const SolverSettings& settings) : settings_(settings) {}
+Eigen::MatrixXcd first_force(const ContactReceptance& receptance, const Eigen::MatrixXcd& previous,
+                             const Start& start) {
+  if (previous.size() > 0) return previous;
+  if (start.guess) return carried_spectrum(receptance, *start.guess);
+  return Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts());
+}
 
-  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
-                                   const Eigen::MatrixXcd& previous, const Start& start,
-                                   Work& work) const override {
+GridSolver lcp_grid_solver(const SolverSettings& settings) {
+  return [settings](const ProjectedEquations& equations, int samples, const Eigen::MatrixXcd& previous,
+                    const Start& start, Work& work) -> GridSolution {
     const auto& [receptance, gap, law] = equations;
+    const bool newton = settings.solver == ComplementaritySolver::newton;
     const Lcp lcp = projected_lcp(receptance, gap, law, samples);
-    const SolverSettings settings = remaining(start, work);
+    const SolverSettings left = remaining(settings, start, work);
+    const auto guess = [&]() -> Eigen::VectorXd {
+      if (!start.guess) return {};
+      return pressure_samples(*start.guess, samples, equations.law.constant.cwiseSqrt());
+    };
     const LcpResult result =
-        newton() && previous.size() > 0
-            ? solve_by_newton_from(lcp, settings, augmented_multiplier(equations, previous, samples))
-            : solve_lcp(lcp, settings, first_pressure(equations, samples, start));
+        newton && previous.size() > 0
+            ? solve_by_newton_from(lcp, left, augmented_multiplier(equations, previous, samples))
+            : solve_lcp(lcp, left, guess());
     work.unknowns = lcp.matrix->size();
-    if (newton()) {
-      add_effort({.iterations = result.iterations, .factorisations = result.factorisations}, work);
-    } else {
-      add_effort({.pivots = result.pivots}, work);
-    }
+    add_effort(newton ? Work{.iterations = result.iterations, .factorisations = result.factorisations}
+                      : Work{.pivots = result.pivots},
+               work);
     const bool solved = result.status == LcpStatus::solved;
     return {.solved = solved,
             // More samples repair a ray or a coarse quadrature, not a Newton iteration that has lost its way.
-            .finer_may_help = (solved || !newton()) && result.status != LcpStatus::interrupted,
+            .finer_may_help = (solved || !newton) && result.status != LcpStatus::interrupted,
             .lambda = carried_coefficients(equations, lcp, result.z),
             .residual = result.residual,
             .condition = result.condition,
             .message = describe(result.status)};
-  }
-
- private:
-  /// z of the guess; empty without one.
-  static Eigen::VectorXd first_pressure(const ProjectedEquations& equations, int samples,
-                                        const Start& start) {
-    if (!start.guess) return {};
-    return pressure_samples(*start.guess, samples, equations.law.constant.cwiseSqrt());
-  }
-
-  [[nodiscard]] bool newton() const { return settings_.solver == ComplementaritySolver::newton; }
-
-  [[nodiscard]] SolverSettings remaining(const Start& start, const Work& work) const {
-    SolverSettings settings = settings_;
-    settings.deadline = start.deadline;
-    if (settings.max_iterations > 0)
-      settings.max_iterations = static_cast<int>(std::max(1L, settings.max_iterations - steps_spent(work)));
-    return settings;
-  }
-
-  SolverSettings settings_;
-};
-
-}  // namespace
-
-std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings) {
-  return std::make_unique<LcpGridSolver>(settings);
+  };
 }
 
 void validate(const HarmonicOptions& options, ComplementaritySolver solver) {

@@ -2,7 +2,7 @@
 // What a method of harmonic balance does on one grid of samples.
 
 #include <Eigen/Core>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,21 +25,15 @@ struct GridSolution {
 
 /// Solves the projected equations with the contact integral on N samples. This is the cell of the methods'
 /// cube in which they differ: pivoting or Newton on the complementarity problem (fourier-lipschitz,
-/// penalty-hbm), Newton-Krylov in the frequency domain (aft-hbm). Immutable.
-class GridSolver {
- public:
-  virtual ~GridSolver() = default;
-  /// \param samples   N
-  /// \param previous  lambda solved on the grid before, or at the frequency before, (H+1) x Nc [N]; empty on
-  /// the
-  ///        first. Newton's method begins there, pivoting does not
-  /// \param work      of the whole solve so far; counts are added to it
-  [[nodiscard]] virtual GridSolution solve(const ProjectedEquations& equations, int samples,
-                                           const Eigen::MatrixXcd& previous, const Start& start,
-                                           Work& work) const = 0;
-  /// The counts that the method reports of every solve, those without a grid included.
-  [[nodiscard]] virtual Work initial_counts() const { return {}; }
-};
+/// penalty-hbm), Newton-Krylov in the frequency domain (aft-hbm). Each call stands for itself.
+/// \param samples   N
+/// \param previous  lambda solved on the grid before, or at the frequency before, (H+1) x Nc [N]; empty on
+/// the
+///        first. Newton's method begins there, pivoting does not
+/// \param work      of the whole solve so far; counts are added to it
+using GridSolver =
+    std::function<GridSolution(const ProjectedEquations& equations, int samples,
+                               const Eigen::MatrixXcd& previous, const Start& start, Work& work)>;
 
 /// Pivots and Newton steps of a solve so far.
 inline long steps_spent(const Work& work) { return work.pivots.value_or(0) + work.iterations.value_or(0); }
@@ -50,9 +44,18 @@ inline bool is_spent(int limit, const Work& work) { return limit > 0 && steps_sp
 /// Adds Newton steps to the work of a solve.
 inline void count_iterations(int steps, Work& work) { work.iterations = work.iterations.value_or(0) + steps; }
 
+/// Settings of what is left of a solve: its deadline, and its limit on iterations less what was spent, at
+/// least one of them.
+SolverSettings remaining(SolverSettings settings, const Start& start, const Work& work);
+
+/// Where a method begins that iterates on contact forces: at those before, those of the guess or none.
+/// \param previous  as of GridSolver \return n = 0..H, (H+1) x Nc [N]
+Eigen::MatrixXcd first_force(const ContactReceptance& receptance, const Eigen::MatrixXcd& previous,
+                             const Start& start);
+
 /// Solves projected_lcp (forms.hpp) by pivoting or by Newton's method as `settings` ask, from the guess of
 /// the solve where there is one. A limit on iterations counts what was spent before.
-std::unique_ptr<GridSolver> lcp_grid_solver(const SolverSettings& settings);
+GridSolver lcp_grid_solver(const SolverSettings& settings);
 
 /// Ranges of the shared options, beside that of the solver: pivoting takes nothing from the frequency before.
 /// \throws InvalidOption

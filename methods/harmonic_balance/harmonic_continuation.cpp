@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "methods/complementarity/exact_quadrature.hpp"
+#include "methods/harmonic_balance/harmonic_options.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/homotopy.hpp"
 
@@ -12,19 +13,14 @@ namespace signorini {
 
 namespace {
 
-constexpr int kStartHarmonics = 20;
-constexpr int kFewestHarmonics = 5;
 constexpr int kStartUnknowns = 800;  // harmonics times contacts: pivots grow with both
-constexpr double kStartFactor = 1.0 / 16.0;
 // Of the way to twice the harmonics at the full constant, which each point found is tried from at once.
 constexpr PathSteps kHarmonicSteps{.growth = kInfinity, .trials = 20};
 
 /// lambda with zeros for the harmonics that it lacks.
-Eigen::MatrixXcd padded(const Eigen::MatrixXcd& lambda, int harmonics) {
-  Eigen::MatrixXcd longer = Eigen::MatrixXcd::Zero(harmonics + 1, lambda.cols());
-  const Eigen::Index common = std::min(longer.rows(), lambda.rows());
-  longer.topRows(common) = lambda.topRows(common);
-  return longer;
+Eigen::MatrixXcd padded(Eigen::MatrixXcd lambda, int harmonics) {
+  lambda.conservativeResizeLike(Eigen::MatrixXcd::Zero(harmonics + 1, lambda.cols()));
+  return lambda;
 }
 
 }  // namespace
@@ -44,10 +40,10 @@ ContinuationPoint continuation_start(const ContactReceptance& receptance) {
     if (receptance.free_response.row(n).cwiseAbs().maxCoeff() > 0.0) loaded = n;
   }
   const int affordable =
-      std::clamp(kStartUnknowns / std::max(1, receptance.contacts()), kFewestHarmonics, kStartHarmonics);
+      std::clamp(kStartUnknowns / std::max(1, receptance.contacts()), 5, kDefaultHarmonics);
   const int harmonics = std::max(affordable, 2 * loaded);
   if (harmonics >= receptance.harmonics()) return {};
-  return {harmonics, kStartFactor};
+  return {.harmonics = harmonics, .stiffness_factor = 1.0 / 16.0};
 }
 
 ExactProjection continue_in_harmonics(const ContactReceptance& receptance, const Eigen::VectorXd& gap,

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <memory>
 #include <optional>
 
 #include "methods/complementarity/projected_law.hpp"
@@ -14,15 +13,30 @@
 
 namespace signorini {
 
+struct HarmonicSetup;
+
+/// A solve with some number of harmonics.
+struct HarmonicSolve {
+  Solution solution = {};          ///< the answer, or the best iterate, without its work
+  bool harmonics_may_help = true;  ///< more of them, where this did not converge
+};
+
+/// Solves a scene with contacts that is set up; the effort is added to `work`.
+using HarmonicSolver = std::function<HarmonicSolve(const Start& start, Work& work)>;
+
 /// What one method adds to the common options: its cell of the cube of methods.
 struct HarmonicMethod {
-  LawAt law_at;                                   ///< the contact law as it imposes it
-  std::shared_ptr<const GridSolver> grid_solver;  ///< what it does on a grid of samples
+  LawAt law_at;                   ///< the contact law as it imposes it
+  GridSolver grid_solver;         ///< what it does on a grid of samples
   bool solver_is_open = true;     ///< the way to the solution is left to the method, not set by an option
   bool newton_from_guess = true;  ///< whether a guess is given to project_exactly before any grid
   bool on_grids_only = false;  ///< its grid solver finds every answer; other attempts give it a start alone
   /// Harmonics times contacts from which the grid solver's own way to a start is longer than a march [-].
   int many_unknowns = 800;
+  Work counts = {};  ///< that it reports of every solve, those without a grid included
+  /// Of a method whose equations are more than the projected ones: what solves a scene, whose setup outlives
+  /// it. Empty: solve_series.
+  std::function<HarmonicSolver(const HarmonicSetup& setup)> solver_of = {};
 };
 
 /// What a method adds for a scene, whose contacts its law is made for; the problem outlives what is made.

@@ -22,17 +22,12 @@ RepresentedLaw ProjectedMethod::law(const Problem& problem) const {
 }
 
 std::unique_ptr<PreparedMethod> ProjectedMethod::prepare(const Problem& problem) const {
-  return prepare_harmonic_balance(
-      problem, common_, [this](const Problem& solved) { return preset(solved); }, solver_of(problem));
-}
-
-MakeHarmonicSolver ProjectedMethod::solver_of(const Problem& /*problem*/) const {
-  return [](HarmonicSetup setup) { return std::make_unique<HarmonicSolver>(std::move(setup)); };
+  return prepare_harmonic_balance(problem, common_, [this](const Problem& solved) { return preset(solved); });
 }
 
 BranchDiagram FollowedMethod::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
   const Problem problem = scene.at(scene.from);
-  return series_diagram(scene, {*this, common(), preset(problem).law_at}, limits);
+  return series_diagram(scene, *this, common(), preset(problem).law_at, limits);
 }
 
 HarmonicMethod by_complementarity(LawAt law, const HarmonicOptions& common, ComplementaritySolver solver) {

@@ -38,9 +38,6 @@ class ProjectedMethod : public Method {
   [[nodiscard]] virtual HarmonicMethod preset(const Problem& problem) const = 0;
 
  private:
-  /// What solves the scene with some number of harmonics: the projected equations alone, or more.
-  [[nodiscard]] virtual MakeHarmonicSolver solver_of(const Problem& problem) const;
-
   HarmonicOptions common_;
   std::optional<Scaled> penalty_;
 };

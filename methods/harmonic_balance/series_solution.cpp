@@ -6,25 +6,16 @@
 #include <cmath>
 #include <complex>
 #include <memory>
-#include <string>
 #include <utility>
 
-#include "methods/complementarity/exact_projection.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
 #include "methods/structure/mean_balance.hpp"
-#include "methods/structure/periodic_response.hpp"
-#include "methods/structure/receptance.hpp"
 
 namespace signorini {
 
 namespace {
 
-// Samples per harmonic of the finest grid. Where the exact contact integral follows, kCoarseSampling will do
-// to begin with: it decides the path, not the answer.
-constexpr int kFinest = 128;
-// A sampled answer is good enough when the contact's net work is this small a part of the work exchanged.
-constexpr double kEnergyIdentity = 1e-3;
-
+// Where the exact contact integral follows, kCoarseSampling will do: it decides the path, not the answer.
 int coarsest_grid(int harmonics, Quadrature quadrature) {
   const int per_harmonic = quadrature == Quadrature::exact ? kCoarseSampling : kSampledPerHarmonic;
   return std::max(kCoarseSampling * kFewestOnGrid, per_harmonic * harmonics);
@@ -113,14 +104,14 @@ Solution solve_on_grids(const HarmonicSetup& setup, const Start& start, Work& wo
   const int harmonics = setup.receptance.harmonics();
   const bool sampled = options.contact_integral() == Quadrature::sampled;
   const std::optional<int> fixed = options.fixed_samples(harmonics);
-  const int finest = fixed ? 0 : kFinest * harmonics;
+  const int finest = fixed ? 0 : 4 * kSampledPerHarmonic * harmonics;
   Solution solution;
   for (int samples = fixed.value_or(coarsest_grid(harmonics, options.contact_integral()));; samples *= 2) {
-    const GridSolution grid = setup.method.grid_solver->solve(setup.equations(), samples, near, start, work);
+    const GridSolution grid = setup.method.grid_solver(setup.equations(), samples, near, start, work);
     Refined refined = refine_quadrature(setup, grid, samples, work);
     const double ratio = net_work_ratio(refined.data.x, refined.data.lambda);
     const bool in_limit = options.max_iterations == 0 || steps_spent(work) <= options.max_iterations;
-    const bool identity = ratio <= kEnergyIdentity;
+    const bool identity = ratio <= 1e-3;  // good enough of a sampled answer
     const bool accepted = grid.solved && in_limit && (refined.exact || sampled || identity);
     solution.verdict = accepted ? Verdict::converged : Verdict::not_converged;
     solution.residual = grid.residual;

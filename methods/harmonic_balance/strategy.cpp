@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,6 +26,15 @@ namespace signorini {
 
 namespace {
 
+/// The answer that Newton's method on the exactly projected equations found; nothing where it did not. Its
+/// steps are added to `work`.
+std::optional<Solution> answer_of(const HarmonicSetup& setup, const ExactProjection& found,
+                                  const std::string& how, Work& work) {
+  count_iterations(found.iterations, work);
+  if (!found.converged) return std::nullopt;
+  return exact_solution(setup.equations(), found, how);
+}
+
 /// Newton's method on the exactly projected equations from the guess (exact_projection). In a sweep this is
 /// all that most solves need.
 std::optional<Solution> newton_from_guess(const HarmonicSetup& setup, const Start& start, Work& work) {
@@ -36,9 +44,7 @@ std::optional<Solution> newton_from_guess(const HarmonicSetup& setup, const Star
       project_exactly(setup.equations(), carried_spectrum(setup.receptance, *start.guess),
                       {.samples = kCoarseSampling * std::max(harmonics, kFewestOnGrid),
                        .tolerance = setup.options.tolerance});
-  count_iterations(near.iterations, work);
-  if (!near.converged) return std::nullopt;
-  return exact_solution(setup.equations(), near, "Newton from the guess");
+  return answer_of(setup, near, "Newton from the guess", work);
 }
 
 /// Contact that never opens (permanent_contact): one small solve per harmonic and a look at signs. It comes
@@ -71,21 +77,17 @@ Eigen::MatrixXcd marched_force(const HarmonicSetup& setup, const Start& start, W
 /// that fails through stops on springs (continue_in_stiffness). What that costs does not grow with the nodes
 /// in contact, as a path of pivots does.
 std::optional<Solution> newton_from_march(const HarmonicSetup& setup, const Start& start, Work& work) {
-  constexpr int kAtOnce = 12;  // Newton steps: from a good start fewer do
   if (start.guess || !setup.marched || !setup.without_grid()) return std::nullopt;
   const Eigen::MatrixXcd force = marched_force(setup, start, work);
   if (force.size() == 0) return std::nullopt;
   ExactProjectionSettings settings{.samples = kResolvingSamples * setup.receptance.harmonics(),
                                    .tolerance = setup.options.tolerance,
-                                   .most = kAtOnce,
+                                   .most = 12,  // from a good start fewer do
                                    .deadline = start.deadline};
   const ExactProjection near = project_exactly(setup.equations(), force, settings);
-  count_iterations(near.iterations, work);
-  if (near.converged) return exact_solution(setup.equations(), near, "Newton from a march");
+  if (auto answer = answer_of(setup, near, "Newton from a march", work)) return answer;
   const ExactProjection continued = continue_in_stiffness(setup.equations(), force, settings);
-  count_iterations(continued.iterations, work);
-  if (!continued.converged) return std::nullopt;
-  return exact_solution(setup.equations(), continued, "a march, on springs first, Newton from there");
+  return answer_of(setup, continued, "a march, on springs first, Newton from there", work);
 }
 
 /// The first harmonics alone and a softer law, with nothing that stands beside a solve.
@@ -103,7 +105,7 @@ HarmonicSetup with_few_harmonics(const HarmonicSetup& setup, const ContinuationP
 std::optional<Solution> solve_few_harmonics(const HarmonicSetup& setup, const ContinuationPoint& few,
                                             const Start& start, Work& work) {
   const HarmonicSetup reduced = with_few_harmonics(setup, few);
-  Work spent = setup.method.grid_solver->initial_counts();
+  Work spent = setup.method.counts;
   std::optional<Solution> base = permanent_contact(reduced, start);
   if (!base) base = solve_on_grids(reduced, start, spent);
   add_effort(spent, work);
@@ -125,10 +127,8 @@ std::optional<Solution> continuation_in_harmonics(const HarmonicSetup& setup, co
       continue_in_harmonics(setup.receptance, setup.gap, setup.method.law_at, first,
                             carried_spectrum(truncated(setup.receptance, first.harmonics), *base->trajectory),
                             setup.options.tolerance, start);
-  count_iterations(continued.iterations, work);
-  if (!continued.converged) return std::nullopt;
-  return exact_solution(setup.equations(), continued,
-                        fmt::format("{} harmonics first, Newton from there", first.harmonics));
+  return answer_of(setup, continued, fmt::format("{} harmonics first, Newton from there", first.harmonics),
+                   work);
 }
 
 /// Continuation in frequency (frequency_continuation) where a plain form asks for it.
@@ -173,20 +173,29 @@ Solution own_solver(const HarmonicSetup& setup, const Start& start, Work& work) 
   return solve_on_grids(setup, start, work);
 }
 
-/// A scene with one number of harmonics, which notes whether more of them may help.
+/// A scene with one number of harmonics, which notes whether more of them may help. Without contacts the
+/// linear response.
 class WithHarmonics final : public PreparedMethod {
  public:
-  WithHarmonics(std::unique_ptr<HarmonicSolver> solver, bool& more_may_help)
-      : solver_(std::move(solver)), more_may_help_(more_may_help) {}
+  WithHarmonics(HarmonicSetup setup, bool& more_may_help)
+      : setup_(std::move(setup)), more_may_help_(more_may_help) {
+    if (setup_.method.solver_of) solver_ = setup_.method.solver_of(setup_);
+  }
 
   Solution solve(const Start& start) override {
-    HarmonicSolve solve = solver_->solve(start);
+    const ContactReceptance& receptance = setup_.receptance;
+    if (receptance.contacts() == 0) return contact_free_response(receptance);
+    Work work = setup_.method.counts;
+    work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
+    HarmonicSolve solve = solver_ ? solver_(start, work) : HarmonicSolve{solve_series(setup_, start, work)};
     more_may_help_ = solve.harmonics_may_help;
+    solve.solution.work = work;
     return std::move(solve.solution);
   }
 
  private:
-  std::unique_ptr<HarmonicSolver> solver_;
+  const HarmonicSetup setup_;  // where solver_ finds it
+  HarmonicSolver solver_;
   bool& more_may_help_;
 };
 
@@ -194,13 +203,12 @@ class HarmonicBalance final : public PreparedMethod {
  public:
   /// A stop that stands twice makes the equations of its forces singular, and no impact on it could be
   /// closed: the scene is solved with each stop once.
-  HarmonicBalance(const Problem& problem, const HarmonicOptions& options, const HarmonicMethodFor& method_for,
-                  const MakeHarmonicSolver& make_solver)
+  HarmonicBalance(const Problem& problem, const HarmonicOptions& options, const HarmonicMethodFor& method_for)
       : stops_(distinct_stops(problem)), problem_(stops_ ? stops_->problem : problem) {
     const HarmonicMethod method = method_for(problem_);
-    const AtResolution with_harmonics = [this, options, method, make_solver](int harmonics) {
-      return std::make_unique<WithHarmonics>(
-          make_solver(harmonic_setup(problem_, harmonics, options, method)), more_may_help_);
+    const AtResolution with_harmonics = [this, options, method](int harmonics) {
+      return std::make_unique<WithHarmonics>(harmonic_setup(problem_, harmonics, options, method),
+                                             more_may_help_);
     };
     const int first = options.first_harmonics(problem);
     const bool left_open = !options.harmonics && !options.plain && method.solver_is_open &&
@@ -247,33 +255,10 @@ Solution solve_series(const HarmonicSetup& setup, const Start& start, Work& work
   return *std::move(series);
 }
 
-HarmonicSolve HarmonicSolver::solve(const Start& start) {
-  const ContactReceptance& receptance = setup_.receptance;
-  if (receptance.contacts() == 0) return {contact_free_response(receptance)};
-  Work work = setup_.method.grid_solver->initial_counts();
-  work.unknowns = (2L * receptance.harmonics() + 1) * receptance.contacts();
-  HarmonicSolve solve = solve_contacts(start, work);
-  solve.solution.work = work;
-  return solve;
-}
-
-HarmonicSolve HarmonicSolver::solve_contacts(const Start& start, Work& work) {
-  return {solve_series(setup_, start, work)};
-}
-
 std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
                                                          const HarmonicOptions& options,
                                                          const HarmonicMethodFor& method_for) {
-  return prepare_harmonic_balance(problem, options, method_for, [](HarmonicSetup setup) {
-    return std::make_unique<HarmonicSolver>(std::move(setup));
-  });
-}
-
-std::unique_ptr<PreparedMethod> prepare_harmonic_balance(const Problem& problem,
-                                                         const HarmonicOptions& options,
-                                                         const HarmonicMethodFor& method_for,
-                                                         const MakeHarmonicSolver& make_solver) {
-  return std::make_unique<HarmonicBalance>(problem, options, method_for, make_solver);
+  return std::make_unique<HarmonicBalance>(problem, options, method_for);
 }
 
 }  // namespace signorini

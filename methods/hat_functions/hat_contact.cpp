@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
 
-#include "methods/complementarity/forms.hpp"
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/hat_functions/marched_contact.hpp"
 #include "methods/hat_functions/period_marching.hpp"
@@ -17,7 +15,6 @@
 #include "methods/solvers/lcp/bordered_lcp.hpp"
 #include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/structure/periodic_response.hpp"
-#include "methods/structure/receptance.hpp"
 
 namespace signorini {
 
@@ -34,9 +31,8 @@ constexpr int kMarchedPeriods = 300;
 
 /// C_n under a scheme on N nodes, n = 0..N/2, and the reduced structure that it was found on.
 ReducedReceptance reduced_grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
-  ReducedReceptance found = reduced_contact_receptance(problem, samples / 2, [&](int n) {
-    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, problem.period() / samples);
-  });
+  ReducedReceptance found =
+      reduced_contact_receptance(problem, samples / 2, grid_weights(problem, scheme, samples));
   weigh_contact_force(found.value.receptance, scheme, samples);
   return found;
 }
@@ -119,8 +115,7 @@ class PreparedHat final : public PreparedMethod {
     if (receptance_.rigid_count() > 0) return nullptr;
     const bool is_short =
         receptance_.contacts() * samples() < kLongPathUnknowns && problem_.size() <= kMostFactorised;
-    const bool open = options_.solver == ComplementaritySolver::automatic && options_.max_iterations == 0;
-    if (is_short || !open || !march_obstacle(problem_).empty()) return nullptr;
+    if (is_short || !options_.way_is_open() || !march_obstacle(problem_).empty()) return nullptr;
     if (found_.reduction.obstacle.empty()) return std::make_shared<const ContactReduction>(found_.reduction);
     return marched_reduction(problem_);
   }
@@ -128,8 +123,7 @@ class PreparedHat final : public PreparedMethod {
   /// z of the motion that the reduced structure marches to on these nodes, in a quarter of the time that is
   /// left; empty where it finds no periodic motion.
   [[nodiscard]] Eigen::VectorXd marched_guess(const HatForm& form, const Start& start) const {
-    constexpr int kShare = 4;
-    const Deadline deadline = Deadline::after(std::max(0.0, start.deadline.left() / kShare));
+    const Deadline deadline = Deadline::after(std::max(0.0, start.deadline.left() / 4.0));
     ContactMarch march(*marched_, march_grid(problem_, samples()));
     const PeriodicMarch marched = march_to_periodic_motion(march, {.deadline = deadline});
     if (!marched.found()) return {};
@@ -189,11 +183,14 @@ class PreparedHat final : public PreparedMethod {
   std::shared_ptr<const ContactReduction> marched_;
 };
 
+/// Nodes of a grid over those of the one before.
+constexpr int kFactorOfGrids = 4;
+
 /// Whether the next grid is worth its cost. A pivot costs the square of the nodes in contact, and the next
 /// grid has four times as many of both. Long contacts are expensive and rarely disputed.
 bool cheap_on_the_next_grid(const Solution& solution) {
   if (solution.verdict != Verdict::converged) return true;
-  constexpr double kGrowth = 64.0;
+  constexpr double kGrowth = kFactorOfGrids * kFactorOfGrids * kFactorOfGrids;
   constexpr double kOperations = 1e9;  // about a second
   const Eigen::MatrixXd force = solution.trajectory->sample(solution.trajectory->nodes().value()).force;
   const auto pressed = static_cast<double>((force.array() < 0.0).count());
@@ -202,9 +199,7 @@ bool cheap_on_the_next_grid(const Solution& solution) {
 
 /// What the march steps where the settings leave the solver open; null where there is nothing to march.
 std::shared_ptr<const ContactReduction> reduction_for(const Problem& problem, const HatSettings& settings) {
-  const bool open = settings.scheme == HatScheme::bdf2 &&
-                    settings.solver == ComplementaritySolver::automatic && settings.max_iterations == 0;
-  return open ? marched_reduction(problem) : nullptr;
+  return settings.scheme == HatScheme::bdf2 && settings.way_is_open() ? marched_reduction(problem) : nullptr;
 }
 
 /// One grid, marched where there is a reduction.
@@ -219,6 +214,12 @@ std::unique_ptr<PreparedMethod> prepared_grid(const Problem& problem, const HatS
 
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples) {
   return reduced_grid_receptance(problem, scheme, samples).value;
+}
+
+WeightsOfHarmonic grid_weights(const Problem& problem, HatScheme scheme, int samples) {
+  return [scheme, samples, step = problem.period() / samples](int n) {
+    return scheme_weights(scheme, 2.0 * std::numbers::pi * n / samples, step);
+  };
 }
 
 void weigh_contact_force(std::vector<Eigen::MatrixXcd>& matrices, HatScheme scheme, int samples) {
@@ -251,14 +252,12 @@ Support grid_support(const Problem& problem, int samples) {
 }
 
 int coarsest_hat_grid(const Problem& problem) {
-  constexpr unsigned kPerOscillation = 16;
-  const unsigned needed = kPerOscillation * static_cast<unsigned>(load_bandwidth(problem));
+  const unsigned needed = 16U * static_cast<unsigned>(load_bandwidth(problem));
   return std::clamp(static_cast<int>(std::bit_ceil(needed)), 256, kFinestHatGrid);
 }
 
 Resolutions hat_grids(const Problem& problem, const HatSettings& settings, NodalRestitution restitution) {
-  constexpr int kFactor = 4;
-  return {rising_resolutions(coarsest_hat_grid(problem), kFactor, kFinestHatGrid),
+  return {rising_resolutions(coarsest_hat_grid(problem), kFactorOfGrids, kFinestHatGrid),
           [&problem, settings, restitution = std::move(restitution),
            reduction = reduction_for(problem, settings)](int samples) {
             HatSettings grid = settings;

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "methods/complementarity/forms.hpp"
@@ -25,6 +24,11 @@ struct HatSettings {
   int max_iterations = 0;        ///< pivots or Newton steps; 0: the solver's own limit [-]
   double cover_amplitude = 0.0;  ///< of the covering vector's wave (smooth_cover), in [0, 1) [-]
   double cover_phase = 0.0;      ///< [rad]
+
+  /// Whether the way to a solution is left to the method.
+  [[nodiscard]] bool way_is_open() const {
+    return solver == ComplementaritySolver::automatic && max_iterations == 0;
+  }
 };
 
 /// The scene on N nodes as one linear complementarity problem, ready to be solved. At a contact without
@@ -56,6 +60,9 @@ std::unique_ptr<PreparedMethod> hat_contact(const Problem& problem, const HatSet
 /// C_n and the free response under a scheme on N nodes, n = 0..N/2: what `hat_form` takes.
 /// \throws std::runtime_error if the structure cannot be factorised
 ContactReceptance grid_receptance(const Problem& problem, HatScheme scheme, int samples);
+
+/// The weights of a scheme on N nodes of the scene's period, n = 0..N/2 (scheme_weights).
+WeightsOfHarmonic grid_weights(const Problem& problem, HatScheme scheme, int samples);
 
 /// Multiplies matrices in front of the nodal contact force, n = 0, 1, ..., by its weight on N nodes
 /// (contact_force_weight).

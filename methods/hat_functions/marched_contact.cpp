@@ -10,10 +10,6 @@ namespace signorini {
 
 namespace {
 
-// The grid leaves an error of 1e-3 to 1e-4: the space, twice as large as a reduction has unasked, less.
-constexpr int kMarchedPowers = 12;
-constexpr int kLeastMarched = 120;
-constexpr int kMarchedModes = 150;
 // Part of a state below which its change over a period may be rounding.
 constexpr double kRoundOfAPeriod = 1e-11;
 // Columns of contacts and loads up to which powers of them are taken, as a reduction does unasked.
@@ -31,17 +27,16 @@ class PreparedMarch final : public PreparedMethod {
     ContactMarch march(*reduction_, grid_);
     PeriodicMarch answer =
         march_to_periodic_motion(march, {.tolerance = tolerance_, .deadline = start.deadline});
-    Solution solution;
-    solution.verdict = answer.found() ? Verdict::converged : Verdict::not_converged;
-    solution.message = describe(answer.by);
+    Solution solution{.verdict = answer.found() ? Verdict::converged : Verdict::not_converged,
+                      .message = std::string(describe(answer.by)),
+                      .work = {.unknowns = grid_.samples * reduction_->contacts(),
+                               .iterations = answer.newton_steps,
+                               .factorisations = answer.work.factorisations},
+                      .residual = answer.residual};
     if (answer.motion.allFinite() && answer.motion.size() > 0) {
       solution.trajectory =
           std::make_shared<NodalTrajectory>(grid_.period, std::move(answer.motion), std::move(answer.force));
     }
-    solution.residual = answer.residual;
-    solution.work.unknowns = grid_.samples * reduction_->contacts();
-    solution.work.iterations = answer.newton_steps;
-    solution.work.factorisations = answer.work.factorisations;
     return solution;
   }
 
@@ -57,7 +52,8 @@ std::shared_ptr<const ContactReduction> marched_reduction(const Problem& problem
   if (problem.contact_count() == 0 || !march_obstacle(problem).empty()) return nullptr;
   const int columns = problem.contact_count() + 2 * (highest_load_harmonic(problem) + 1);
   const bool few = columns <= kMostMarchedColumns;
-  const int vectors = few ? std::max(kLeastMarched, kMarchedPowers * problem.contact_count()) : kMarchedModes;
+  // The grid leaves an error of 1e-3 to 1e-4: the space, twice as large as a reduction has unasked, less.
+  const int vectors = few ? std::max(120, 12 * problem.contact_count()) : 150;
   auto reduction = std::make_shared<ContactReduction>(reduce_to_contacts(
       problem, {.basis = few ? ReductionBasis::krylov : ReductionBasis::modes, .vectors = vectors}));
   return reduction->obstacle.empty() ? reduction : nullptr;

@@ -66,15 +66,15 @@ std::unique_ptr<PreparedMethod> HatLcp::prepare(const Problem& problem) const {
                              .solver = one_path ? ComplementaritySolver::pivoting : options_.solver,
                              .tolerance = options_.tolerance,
                              .max_iterations = options_.max_iterations};
-  const bool refines = problem.contact_count() > 0 && !options_.samples && !options_.plain &&
-                       options_.max_iterations == 0 && options_.solver == ComplementaritySolver::automatic;
+  const bool refines =
+      problem.contact_count() > 0 && !options_.samples && !options_.plain && settings.way_is_open();
   if (!refines) return hat_contact(problem, settings, std::move(restitution));
   return refined_hat_contact(problem, settings, std::move(restitution));
 }
 
 BranchDiagram HatLcp::follow(const ParametrisedScene& scene, const CurveLimits& limits) const {
   const Problem problem = scene.at(scene.from);
-  HatFamily family = hat_family(problem, scene.from, scene.to);
+  HatFamily family{curve_family(problem, scene.from, scene.to)};
   family.samples = first_samples(problem);
   family.scheme = options_.scheme;
   family.restitution = imposed_restitution(problem);

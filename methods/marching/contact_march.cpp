@@ -1,12 +1,8 @@
 #include "methods/marching/contact_march.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
-#include <utility>
-#include <variant>
 
 namespace signorini {
 
@@ -55,8 +51,7 @@ std::string march_obstacle(const Problem& problem) {
 }
 
 bool marches_several(const Problem& problem) {
-  constexpr int kSeveral = 4;
-  return problem.contact_count() >= kSeveral && march_obstacle(problem).empty();
+  return problem.contact_count() >= 4 && march_obstacle(problem).empty();
 }
 
 ContactMarch::ContactMarch(const ContactReduction& reduction, MarchGrid grid)
@@ -149,8 +144,7 @@ Eigen::VectorXd ContactMarch::period(const Eigen::VectorXd& state) {
       return Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN());
     }
     const std::vector<int>& set = contacts_.set();
-    push_.resize(static_cast<Eigen::Index>(set.size()));
-    for (std::size_t j = 0; j < set.size(); ++j) push_[static_cast<Eigen::Index>(j)] = -contacts_.z()[set[j]];
+    push_ = -contacts_.z()(set);
     press(set);
     complete_next();
     sets_[static_cast<std::size_t>(k - 1)] = set;

@@ -66,8 +66,6 @@ class ContactMarch {
 
   /// Numbers in a state.
   [[nodiscard]] Eigen::Index size() const { return 2 * part_; }
-  /// N.
-  [[nodiscard]] int samples() const { return grid_.samples; }
   /// The state of the periodic motion without contact forces, at node 0.
   [[nodiscard]] Eigen::VectorXd free_state() const;
   /// The state after a period from `state` at node 0; not finite where a step has no solution. Keeps motion,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,13 +12,6 @@ namespace signorini {
 
 namespace {
 
-// Of a Newton step, relative to its residual: the sets are frozen, so that more would be wasted.
-constexpr double kMarchKrylovTolerance = 1e-3;
-constexpr int kAndersonDepth = 15;  // of Anderson's acceleration
-// Of Newton's method. Where sets change along a step, a short one may still gain a little and lead on.
-constexpr int kMarchNewtonSteps = 25;
-constexpr int kMarchHalvings = 8;
-constexpr double kMarchDecrease = 1e-2;
 // How many states of the march are tried where all else failed, and how much longer Anderson's acceleration
 // is at the very end.
 constexpr int kAttempts = 24, kPatience = 4;
@@ -36,9 +28,10 @@ class PeriodMapSystem {
 
   Eigen::VectorXd residual(const Eigen::VectorXd& state) { return state - march_.period(state); }
 
+  /// To 1e-3 of the residual: the sets are frozen, so that more would be wasted.
   KrylovSolve solve_jacobian(const Eigen::VectorXd& value) {
     return solve_by_gmres([&](const Eigen::VectorXd& v) { return Eigen::VectorXd(v - march_.tangent(v)); },
-                          [](const Eigen::VectorXd& v) { return v; }, value, kMarchKrylovTolerance);
+                          [](const Eigen::VectorXd& v) { return v; }, value, 1e-3);
   }
 
   static double error(const Eigen::VectorXd& state, const Eigen::VectorXd& value) {
@@ -55,6 +48,16 @@ class PeriodicSearch {
   PeriodicSearch(ContactMarch& march, const PeriodicMarchSettings& settings, Eigen::VectorXd state)
       : march_(march), settings_(settings), state_(std::move(state)), nearest_(state_) {}
 
+  /// All of them, the first after so many periods.
+  PeriodicMarch run(int periods) && {
+    march(periods);
+    if (!newton(nearest_, MarchedBy::newton)) try_everything_else();
+    result_.newton_steps = newton_steps_;
+    result_.work = march_.work();
+    return std::move(result_);
+  }
+
+ private:
   void march(int periods) {
     double least = std::numeric_limits<double>::infinity();
     for (int period = 0; period < periods && !late(); ++period) {
@@ -71,17 +74,16 @@ class PeriodicSearch {
   bool newton(const Eigen::VectorXd& from, MarchedBy by) {
     if (late()) return false;
     PeriodMapSystem system(march_);
-    const NewtonKrylovResult newton = solve_newton_krylov(system, from, settings_.tolerance,
-                                                          {.max_steps = kMarchNewtonSteps,
-                                                           .max_halvings = kMarchHalvings,
-                                                           .sufficient_decrease = kMarchDecrease,
-                                                           .deadline = settings_.deadline});
+    // Where sets change along a step, a short one may still gain a little and lead on.
+    const NewtonKrylovResult newton = solve_newton_krylov(
+        system, from, settings_.tolerance,
+        {.max_steps = 25, .max_halvings = 8, .sufficient_decrease = 1e-2, .deadline = settings_.deadline});
     newton_steps_ += newton.iterations;
     return judge(newton.unknowns, by);
   }
 
   bool anderson(int periods) {
-    AndersonAcceleration acceleration(kAndersonDepth);
+    AndersonAcceleration acceleration(15);
     Eigen::VectorXd state = state_;
     for (int period = 0; period < periods && !late(); ++period) {
       const Eigen::VectorXd next = march_.period(state);
@@ -93,17 +95,19 @@ class PeriodicSearch {
     return false;
   }
 
-  [[nodiscard]] PeriodicMarch result() && {
-    result_.newton_steps = newton_steps_;
-    result_.work = march_.work();
-    return std::move(result_);
+  bool try_everything_else() {
+    march(settings_.further_periods);
+    if (newton(nearest_, MarchedBy::more_periods) || anderson(settings_.accelerated_periods) ||
+        newton(march_.free_state(), MarchedBy::free_start))
+      return true;
+    // Where the march does not settle, Newton's method may come from one of its states and not from another.
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      march(settings_.further_periods);
+      if (newton(nearest_, MarchedBy::more_periods)) return true;
+    }
+    return anderson(kPatience * settings_.accelerated_periods);
   }
 
-  /// The state of the last march that a period changed least: of a motion that settles its last, of one that
-  /// never does one near an unstable periodic motion.
-  [[nodiscard]] const Eigen::VectorXd& nearest() const { return nearest_; }
-
- private:
   [[nodiscard]] bool late() const { return settings_.deadline.passed(); }
 
   // One more period from there, which is kept: motion and forces belong to the state.
@@ -123,26 +127,12 @@ class PeriodicSearch {
 
   ContactMarch& march_;
   const PeriodicMarchSettings& settings_;
+  // Of the last march the last state, and the one that a period changed least: of a motion that settles its
+  // last, of one that never does one near an unstable periodic motion.
   Eigen::VectorXd state_, nearest_;
   PeriodicMarch result_;
   int newton_steps_ = 0;
 };
-
-PeriodicMarch searched(PeriodicSearch search, const PeriodicMarchSettings& settings,
-                       const Eigen::VectorXd& free) {
-  if (search.newton(search.nearest(), MarchedBy::newton)) return std::move(search).result();
-  search.march(settings.further_periods);
-  if (search.newton(search.nearest(), MarchedBy::more_periods) ||
-      search.anderson(settings.accelerated_periods) || search.newton(free, MarchedBy::free_start))
-    return std::move(search).result();
-  // Where the march does not settle, Newton's method may come from one of its states and not from another.
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    search.march(settings.further_periods);
-    if (search.newton(search.nearest(), MarchedBy::more_periods)) return std::move(search).result();
-  }
-  search.anderson(kPatience * settings.accelerated_periods);
-  return std::move(search).result();
-}
 
 }  // namespace
 
@@ -154,14 +144,12 @@ std::string_view describe(MarchedBy by) {
 }
 
 PeriodicMarch march_to_periodic_motion(ContactMarch& march, const PeriodicMarchSettings& settings) {
-  PeriodicSearch search(march, settings, Eigen::VectorXd::Zero(march.size()));
-  search.march(settings.periods);
-  return searched(std::move(search), settings, march.free_state());
+  return PeriodicSearch(march, settings, Eigen::VectorXd::Zero(march.size())).run(settings.periods);
 }
 
 PeriodicMarch march_from(ContactMarch& march, const Eigen::VectorXd& state,
                          const PeriodicMarchSettings& settings) {
-  return searched(PeriodicSearch(march, settings, state), settings, march.free_state());
+  return PeriodicSearch(march, settings, state).run(0);
 }
 
 }  // namespace signorini

@@ -50,12 +50,13 @@ Solution projected(int harmonics) {
   };
   const DistortionlessBar bar;
   const ContactReceptance receptance = test::tip_receptance(bar, harmonics);
-  HarmonicSetup setup{.receptance = receptance,
-                      .gap = Eigen::VectorXd::Constant(1, bar.gap),
-                      .method = {.law_at = law, .grid_solver = lcp_grid_solver({})},
-                      .options = {},
-                      .law = law(receptance)};
-  return HarmonicSolver(std::move(setup)).solve({}).solution;
+  const HarmonicSetup setup{.receptance = receptance,
+                            .gap = Eigen::VectorXd::Constant(1, bar.gap),
+                            .method = {.law_at = law, .grid_solver = lcp_grid_solver({})},
+                            .options = {},
+                            .law = law(receptance)};
+  Work work;
+  return solve_series(setup, {}, work);
 }
 
 // Relative L2 distance of samples from a grid function of as many points.

@@ -96,11 +96,12 @@ HarmonicSetup setup_of(const NonsmoothBar& bar, int harmonics, const LawAt& law,
 }
 
 // Without a load rest is a solution too: the search starts from the motion, its force made wrong by `factor`.
-Solution from_the_mode(const NonsmoothBar& bar, HarmonicSetup setup, double factor = 1.0) {
+Solution from_the_mode(const NonsmoothBar& bar, const HarmonicSetup& setup, double factor = 1.0) {
   const auto guess = std::make_shared<test::GivenMotion>(
       bar.period, [bar](double t) { return bar.u(1.0, t); },
       [bar, factor](double t) { return factor * bar.force(t); });
-  return HarmonicSolver(std::move(setup)).solve({.guess = guess}).solution;
+  Work work;
+  return solve_series(setup, {.guess = guess}, work);
 }
 
 // Oracle 1e1: the energies of independent computations with c = 4 and 20 samples per harmonic, and how near
@@ -146,7 +147,8 @@ TEST(NonsmoothBar, HarmonicBalanceTendsToItAtTheRateOfItsKinks) {
 
 TEST(NonsmoothBar, RestIsWhatAColdStartFinds) {
   const NonsmoothBar bar;
-  const Solution solution = HarmonicSolver(setup_of(bar, 20, constant(4.0))).solve({}).solution;
+  Work work;
+  const Solution solution = solve_series(setup_of(bar, 20, constant(4.0)), {}, work);
   ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
   EXPECT_EQ(solution.trajectory->force_coefficients().norm(), 0.0);
 }

@@ -15,14 +15,13 @@ namespace {
 /// The extremum of y near an instant by Newton's method on y'; empty where it is of the other kind, or more
 /// than a quarter of the shortest harmonic's period away.
 std::optional<double> extremum_near(const Eigen::VectorXcd& y, bool minimum, double time) {
-  constexpr double kSettled = 1e-15;  // of the period
   const auto slope = [&](double t) {
     const Jet jet = trigonometric_jet(y, t);
     const bool sought = (minimum ? jet.curvature : -jet.curvature) > 0.0;
     return ValueAndSlope{jet.slope, sought ? jet.curvature : std::numeric_limits<double>::quiet_NaN()};
   };
   const double reach = 0.25 / static_cast<double>(y.size() - 1);
-  return newton_zero_near(slope, {.guess = time, .reach = reach, .settled = kSettled});
+  return newton_zero_near(slope, {.guess = time, .reach = reach, .settled = 1e-15});
 }
 
 std::optional<ContactDepth> depth_near(const SeriesCurve& curve, Eigen::Index contact, bool gap,
@@ -35,8 +34,8 @@ std::optional<ContactDepth> depth_near(const SeriesCurve& curve, Eigen::Index co
   return ContactDepth{.contact = contact, .gap = gap, .time = *at, .unit = 0.5 * bend / (H * H)};
 }
 
-double square_of(const SeriesCurve& curve, const ContactDepth& depth, double time) {
-  const double y = trigonometric_jet(curve.pressure(depth.contact), time).value / depth.unit;
+double square_of(const SeriesCurve& curve, const ContactDepth& depth) {
+  const double y = trigonometric_jet(curve.pressure(depth.contact), depth.time).value / depth.unit;
   return depth.gap ? -y : y;
 }
 
@@ -49,7 +48,7 @@ bool DepthCurve::evaluate(const Eigen::VectorXd& z) {
     const ContactDepth& depth = depths_[i];
     const auto at = extremum_near(series_.pressure(depth.contact), depth.gap, depth.time);
     if (!at) return false;
-    times_[i] = *at;
+    here_[i].time = *at;
   }
   return true;
 }
@@ -57,10 +56,8 @@ bool DepthCurve::evaluate(const Eigen::VectorXd& z) {
 Eigen::VectorXd DepthCurve::residual() const {
   Eigen::VectorXd r(size());
   r.head(series_.size()) = series_.residual();
-  for (Eigen::Index i = 0; i < count(); ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    r[series_.size() + i] = w_[i] * w_[i] - square_of(series_, depths_[place], times_[place]);
-  }
+  for (Eigen::Index i = 0; i < count(); ++i)
+    r[series_.size() + i] = w_[i] * w_[i] - square_of(series_, depth_here(i));
   return r;
 }
 
@@ -71,10 +68,9 @@ Eigen::MatrixXd DepthCurve::jacobian() const {
   J.topLeftCorner(n, n) = R.leftCols(n);
   J.topRightCorner(n, 1) = R.col(n);
   for (Eigen::Index i = 0; i < k; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    const ContactDepth& depth = depths_[place];
+    const ContactDepth& depth = depth_here(i);
     const Eigen::VectorXd row =
-        (depth.gap ? 1.0 : -1.0) / depth.unit * series_.pressure_gradient(depth.contact, times_[place]);
+        (depth.gap ? 1.0 : -1.0) / depth.unit * series_.pressure_gradient(depth.contact, depth.time);
     J.row(n + i).head(n) = row.head(n).transpose();
     J(n + i, n + i) = 2.0 * w_[i];
     J(n + i, n + k) = row[n];
@@ -91,9 +87,7 @@ double DepthCurve::noise() const {
 }
 
 void DepthCurve::follow(std::vector<ContactDepth> depths) {
-  depths_ = std::move(depths);
-  times_.clear();
-  for (const ContactDepth& depth : depths_) times_.push_back(depth.time);
+  here_ = depths_ = std::move(depths);
   w_ = depths_here();
 }
 
@@ -109,25 +103,17 @@ Eigen::VectorXd DepthCurve::with_depths(const Eigen::VectorXd& x, const Eigen::V
   return z;
 }
 
-ContactDepth DepthCurve::depth_here(Eigen::Index i) const {
-  ContactDepth depth = depths_[static_cast<std::size_t>(i)];
-  depth.time = times_[static_cast<std::size_t>(i)];
-  return depth;
-}
-
 Eigen::VectorXd DepthCurve::depths_here() const {
   Eigen::VectorXd w(count());
-  for (Eigen::Index i = 0; i < count(); ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    w[i] = std::sqrt(std::max(0.0, square_of(series_, depths_[place], times_[place])));
-  }
+  for (Eigen::Index i = 0; i < count(); ++i)
+    w[i] = std::sqrt(std::max(0.0, square_of(series_, depth_here(i))));
   return w;
 }
 
 Eigen::VectorXd DepthCurve::lifted(const Eigen::VectorXd& direction) const {
   Eigen::VectorXd rates(count());
   for (Eigen::Index i = 0; i < count(); ++i)
-    rates[i] = square_rate(series_, depths_[static_cast<std::size_t>(i)], direction) / (2.0 * w_[i]);
+    rates[i] = square_rate(series_, depth_here(i), direction) / (2.0 * w_[i]);
   return with_depths(direction, rates);
 }
 
@@ -176,7 +162,7 @@ std::vector<NascentContact> nascent_contacts(const SeriesCurve& curve, const Eig
       if (!top && !bottom) continue;
       const auto depth = depth_near(curve, c, bottom, static_cast<double>(i) / count);
       if (!depth) continue;
-      const double square = square_of(curve, *depth, depth->time);
+      const double square = square_of(curve, *depth);
       const double rate = square_rate(curve, *depth, direction);
       if (square < kZero && rate > 0.0 && -square <= reach * rate) found.push_back({*depth, -square / rate});
     }

@@ -51,7 +51,9 @@ class DepthCurve {
   [[nodiscard]] Eigen::VectorXd with_depths(const Eigen::VectorXd& x, const Eigen::VectorXd& w) const;
   [[nodiscard]] const Eigen::VectorXd& w() const { return w_; }  ///< of the last evaluation
   /// One of the depths, its instant that of the motion evaluated last.
-  [[nodiscard]] ContactDepth depth_here(Eigen::Index i) const;
+  [[nodiscard]] const ContactDepth& depth_here(Eigen::Index i) const {
+    return here_[static_cast<std::size_t>(i)];
+  }
   /// z of the last evaluation.
   [[nodiscard]] Eigen::VectorXd z() const { return with_depths(series_.x(), w_); }
   /// w as the motion evaluated last has them.
@@ -61,8 +63,7 @@ class DepthCurve {
 
  private:
   SeriesCurve series_;
-  std::vector<ContactDepth> depths_;
-  std::vector<double> times_;  // of the extrema, where evaluated last
+  std::vector<ContactDepth> depths_, here_;  // here_: their instants where evaluated last
   Eigen::VectorXd w_;
 };
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "methods/discretisation/fourier_series.hpp"
-#include "methods/hat_functions/hat_contact.hpp"
 #include "methods/structure/mean_balance.hpp"
 #include "problems/linear_algebra/lu.hpp"
 
@@ -16,10 +15,6 @@ namespace signorini {
 namespace {
 
 using Complex = std::complex<double>;
-
-WeightsOfHarmonic harmonics_of(double base) {
-  return [base](int n) { return exact_weights(n * base); };
-}
 
 /// Per packed coefficient the largest |C_m|, m >= n, of its contact's diagonal.
 Eigen::VectorXd decreasing_receptance(const ContactReceptance& receptance) {
@@ -38,23 +33,12 @@ Eigen::VectorXd decreasing_receptance(const ContactReceptance& receptance) {
 
 }  // namespace
 
-SeriesFamily series_family(const Problem& problem, double from, double to) {
-  SeriesFamily family{.problem = problem, .low = std::min(from, to), .high = std::max(from, to)};
-  family.problem = at_frequency(problem, 0.5 * (from + to));
-  family.frequency_unit = (family.high - family.low) / 3.0;
-  family.displacement_unit =
-      std::max(contact_gaps(problem).cwiseAbs().maxCoeff(), static_deflection(family.problem));
-  if (!(family.displacement_unit > 0.0)) family.displacement_unit = 1.0;
-  return family;
-}
-
 SeriesCurve::SeriesCurve(const SeriesFamily& family, int multiple)
     : family_(family),
       multiple_(multiple),
       harmonics_(multiple * family.harmonics),
       problem_(with_subharmonic(family.problem, multiple * family.problem.subharmonic)),
       gap_(contact_gaps(family.problem)) {
-  problem_ = at_frequency(std::move(problem_), 0.5 * (family.low + family.high));
   weight_ = decreasing_receptance(fourier_receptance(problem_, harmonics_)) / family.displacement_unit;
 }
 
@@ -85,7 +69,8 @@ bool SeriesCurve::evaluate(const Eigen::VectorXd& x) {
   if (!x.allFinite() || !(frequency > 0.0)) return false;
   problem_ = at_frequency(std::move(problem_), frequency);
   try {
-    receptance_ = receptance_with_rate(problem_, harmonics_, harmonics_of(problem_.base_frequency()));
+    receptance_ = receptance_with_rate(
+        problem_, harmonics_, [base = problem_.base_frequency()](int n) { return exact_weights(n * base); });
   } catch (const SingularStiffness&) {
     return false;
   }
@@ -105,8 +90,8 @@ bool SeriesCurve::evaluate(const Eigen::VectorXd& x) {
   x_ = x;
   lambda_ = force(x);
   motion_ = carried_motion(receptance_.value, lambda_);
-  constexpr double kUnasked = 1.0;  // a tolerance: `error` is not asked for
-  pressing_.emplace(ProjectedEquations{receptance_.value, gap_, law_}, family_.samples * multiple_, kUnasked,
+  // At any tolerance: `error` is not asked for.
+  pressing_.emplace(ProjectedEquations{receptance_.value, gap_, law_}, family_.samples * multiple_, 1.0,
                     StopShifts{}, family_.integral);
   const Eigen::VectorXd& root = pressing_->root();
   const Eigen::VectorXd scaled =

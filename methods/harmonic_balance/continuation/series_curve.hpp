@@ -3,31 +3,23 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "methods/complementarity/projected_residual.hpp"
+#include "methods/continuation/curve_family.hpp"
 #include "methods/structure/receptance_rate.hpp"
 
 namespace signorini {
 
-/// What one method makes of a scene over an interval of frequencies of its load, and the units of its curves,
-/// which do not change along them.
-struct SeriesFamily {
-  Problem problem;  ///< at any frequency; the order of the scene is that of the shortest motions followed
-  double low = 0.0, high = 0.0;                       ///< of the interval [rad/s]
+/// What one method of harmonic balance makes of a scene over an interval of frequencies of its load. The unit
+/// of displacement is that of the response to the contact force.
+struct SeriesFamily : CurveFamily {
   int harmonics = 20;                                 ///< H of the motions of the scene's order [-]
   LawAt law_at = {};                                  ///< the contact law as the method imposes it
   ContactIntegral integral = ContactIntegral::exact;  ///< as the method takes it
   int samples = 0;                          ///< per period of the scene's order, as of ProjectedResidual
-  double frequency_unit = 1.0;              ///< of the frequency in the unknowns [rad/s]
-  double displacement_unit = 1.0;           ///< of the response to the contact force in the unknowns [m]
   std::vector<Eigen::Index> opposite = {};  ///< opposite_contacts of the scene; empty: none
 };
-
-/// A family with its units: a third of the interval for the frequency; the static deflection of the softest
-/// contact, or its gap if that is larger, for the displacement. \param from, to  ends of the interval [rad/s]
-SeriesFamily series_family(const Problem& problem, double from, double to);
 
 /// lambda + P max(0, y) = 0, y = c (x - g) - alpha lambda, x = x_f + C lambda as a CurveEquations, for
 /// motions of `multiple` periods of the scene's order, with as many times its harmonics.

@@ -38,8 +38,19 @@ std::vector<int> prime_factors(int n) {
   return factors;
 }
 
+/// Follows a curve by the steps of SeriesSteps, both folds and gains or losses of contact included; its
+/// unknowns are labelled by their intervals of contact.
+///
+/// Located on each step, to rounding of the method's own equations: folds (the frequency's component of the
+/// tangent is zero), branch points (det [R_x; tangent^T]), period doublings (doubled_jacobian), and where a
+/// contact begins to press or ceases to. Doublings and branch points are starts of other curves.
+///
+/// Where steps fall below the shortest the branch has broken: `ended` says at which frequency. A motion of
+/// several periods ends where it becomes one of a smaller period.
 class SeriesTracer final : public CurveTracer<SeriesStart> {
  public:
+  /// \param followed   may end the curve
+  /// \param doublings  whether these are looked for
   SeriesTracer(const SeriesFamily& family, const SeriesStart& start, const CurveLimits& limits,
                const FollowedCurves& followed, bool doublings)
       : CurveTracer(start, limits, followed),
@@ -48,7 +59,8 @@ class SeriesTracer final : public CurveTracer<SeriesStart> {
     result().branch.sequence = fmt::format("order {}, {} harmonics", series_.order(), series_.harmonics());
   }
 
-  [[nodiscard]] std::vector<Eigen::VectorXd> take_grazings() { return std::move(grazings_); }
+  /// Unknowns where a motion without contact first touches.
+  [[nodiscard]] const std::vector<Eigen::VectorXd>& grazings() const { return grazings_; }
 
  private:
   [[nodiscard]] const SeriesStation& station() const { return steps_.here(); }
@@ -120,31 +132,6 @@ class SeriesTracer final : public CurveTracer<SeriesStart> {
   std::vector<Eigen::VectorXd> grazings_;
 };
 
-/// A branch, its unknowns labelled by their intervals of contact, and curves that begin at its doublings and
-/// branch points.
-struct TracedSeries : TracedBranch<SeriesStart> {
-  /// Unknowns where a motion without contact first touches.
-  std::vector<Eigen::VectorXd> grazings = {};
-};
-
-/// Follows a curve by the steps of SeriesSteps, both folds and gains or losses of contact included.
-///
-/// Located on each step, to rounding of the method's own equations: folds (the frequency's component of the
-/// tangent is zero), branch points (det [R_x; tangent^T]), period doublings (doubled_jacobian), and where a
-/// contact begins to press or ceases to. Doublings and branch points are starts of other curves.
-///
-/// Where steps fall below the shortest the branch has broken: `ended` says at which frequency. A motion of
-/// several periods ends where it becomes one of a smaller period.
-///
-/// \param followed   may end the curve
-/// \param doublings  whether these are looked for
-TracedSeries trace_series(const SeriesFamily& family, const SeriesStart& start, const CurveLimits& limits,
-                          const FollowedCurves& followed, bool doublings) {
-  SeriesTracer tracer(family, start, limits, followed, doublings);
-  TracedBranch<SeriesStart> traced = tracer.run();
-  return {std::move(traced), tracer.take_grazings()};
-}
-
 class SeriesDiagram final : public MethodDiagram<SeriesStart> {
  public:
   SeriesDiagram(const SeriesFamily& family, const CurveLimits& limits)
@@ -153,8 +140,7 @@ class SeriesDiagram final : public MethodDiagram<SeriesStart> {
  private:
   std::optional<SeriesStart> contact_free(double frequency) override {
     SeriesCurve curve(family_, 1);
-    const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, contacts());
-    const bool free = curve.evaluate(curve.unknowns(none, frequency)) &&
+    const bool free = evaluate_without_force(curve, frequency) &&
                       curve.receptance().rigid_count() == 0 &&  // else one of a family, to any mean
                       std::ranges::all_of(curve.contacts(), [](const auto& c) { return c.empty(); });
     return free ? std::optional(into_interval(curve)) : std::nullopt;
@@ -162,15 +148,20 @@ class SeriesDiagram final : public MethodDiagram<SeriesStart> {
 
   std::optional<SeriesStart> on_curve(const EndAnswer& answer) override {
     SeriesCurve curve(family_, 1);
-    const Eigen::MatrixXcd none = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, contacts());
-    if (!curve.evaluate(curve.unknowns(none, answer.problem.frequency))) return std::nullopt;
+    if (!evaluate_without_force(curve, answer.problem.frequency)) return std::nullopt;
     const Eigen::VectorXd x =
         curve.unknowns(carried_spectrum(curve.receptance(), *answer.motion), answer.problem.frequency);
     return correct_at_parameter(curve, x) ? std::optional(into_interval(curve)) : std::nullopt;
   }
 
+  static bool evaluate_without_force(SeriesCurve& curve, double frequency) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(curve.size() + 1);
+    x[curve.size()] = frequency / curve.family().frequency_unit;
+    return curve.evaluate(x);
+  }
+
   [[nodiscard]] SeriesStart into_interval(SeriesCurve& curve) const {
-    const bool upwards = curve.frequency() < 0.5 * (family_.low + family_.high);
+    const bool upwards = family_.is_below_middle(curve.frequency());
     return {.multiple = 1, .x = curve.x(), .tangent = first_tangent(curve, upwards), .origin = {}};
   }
 
@@ -179,9 +170,10 @@ class SeriesDiagram final : public MethodDiagram<SeriesStart> {
   }
 
   TracedBranch<SeriesStart> trace(const SeriesStart& start) override {
-    TracedSeries traced = trace_series(family_, start, limits(), *this, allowed(2 * start.multiple));
+    SeriesTracer tracer(family_, start, limits(), *this, allowed(2 * start.multiple));
+    TracedBranch<SeriesStart> traced = tracer.run();
     std::erase_if(traced.others, [&](const SeriesStart& other) { return !allowed(other.multiple); });
-    for (const Eigen::VectorXd& grazing : traced.grazings) {
+    for (const Eigen::VectorXd& grazing : tracer.grazings()) {
       for (int multiple = 2; allowed(multiple); ++multiple)
         if (auto other = grazing_branch(family_, grazing, multiple))
           traced.others.push_back(std::move(*other));
@@ -207,13 +199,14 @@ class SeriesDiagram final : public MethodDiagram<SeriesStart> {
 };
 
 // What the method makes of the scene with so many harmonics.
-SeriesFamily family_of(const ParametrisedScene& scene, const SeriesMethod& method, int harmonics) {
-  SeriesFamily family = series_family(scene.at(scene.from), scene.from, scene.to);
+SeriesFamily family_of(const ParametrisedScene& scene, const HarmonicOptions& options, const LawAt& law_at,
+                       int harmonics) {
+  SeriesFamily family{curve_family(scene.at(scene.from), scene.from, scene.to)};
   family.harmonics = harmonics;
-  family.law_at = method.law_at;
-  const bool sampled = method.options.contact_integral() == Quadrature::sampled;
+  family.law_at = law_at;
+  const bool sampled = options.contact_integral() == Quadrature::sampled;
   family.integral = sampled ? ContactIntegral::sampled : ContactIntegral::exact;
-  family.samples = sampled ? method.options.fixed_samples(harmonics).value_or(32 * harmonics)
+  family.samples = sampled ? options.fixed_samples(harmonics).value_or(kSampledPerHarmonic * harmonics)
                            : kResolvingSamples * std::max(harmonics, kFewestOnGrid);
   family.opposite = opposite_contacts(family.problem);
   return family;
@@ -221,20 +214,20 @@ SeriesFamily family_of(const ParametrisedScene& scene, const SeriesMethod& metho
 
 }  // namespace
 
-BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod& method,
-                             const CurveLimits& limits) {
+BranchDiagram series_diagram(const ParametrisedScene& scene, const Method& method,
+                             const HarmonicOptions& options, const LawAt& law_at, const CurveLimits& limits) {
   const Problem problem = scene.at(scene.from);
   if (problem.contact_count() == 0) return {.unfinished = "the scene has no contact"};
   const auto unknowns = [&](int harmonics) { return (2 * harmonics + 1) * problem.contact_count(); };
-  int harmonics = method.options.first_harmonics(problem);
+  int harmonics = options.first_harmonics(problem);
   BranchDiagram diagram;
   try {
     std::vector<std::string> notes;
     std::vector<EndAnswer> answers;
-    if (unknowns(harmonics) <= kMostUnknowns) answers = end_answers(scene, method.method, limits, notes);
+    if (unknowns(harmonics) <= kMostUnknowns) answers = end_answers(scene, method, limits, notes);
     int needed = harmonics;
     for (const EndAnswer& answer : answers)
-      if (!method.options.harmonics) needed = std::max(needed, answer.motion->bandwidth().value_or(0));
+      if (!options.harmonics) needed = std::max(needed, answer.motion->bandwidth().value_or(0));
     harmonics = std::max(harmonics, std::min(needed, kMostFollowed));
     if (needed > harmonics)
       notes.push_back(
@@ -243,7 +236,7 @@ BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod&
                       harmonics, needed, needed));
     if (unknowns(harmonics) > kMostUnknowns)
       return {.unfinished = fmt::format("{} unknowns are more than {}", unknowns(harmonics), kMostUnknowns)};
-    const SeriesFamily family = family_of(scene, method, harmonics);
+    const SeriesFamily family = family_of(scene, options, law_at, harmonics);
     diagram = SeriesDiagram(family, limits).run(scene, answers);
     diagram.notes.insert(diagram.notes.begin(), notes.begin(), notes.end());
     const auto loses = [](const Contact& contact) { return restitution_of(contact.law) < 1.0; };

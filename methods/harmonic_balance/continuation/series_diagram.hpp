@@ -8,13 +8,6 @@
 
 namespace signorini {
 
-/// A method of harmonic balance as its curves need it.
-struct SeriesMethod {
-  const Method& method;            ///< itself
-  const HarmonicOptions& options;  ///< those that all have
-  LawAt law_at;                    ///< the contact law as it imposes it
-};
-
 /// Follows, from both ends into the interval, the contact-free motion where nothing touches and the method's
 /// own answer; then what leaves these branches: motions of twice the period at doublings, the
 /// crossing branch at branch points, and at the grazing of a contact-free motion those of more periods that
@@ -26,8 +19,10 @@ struct SeriesMethod {
 /// Impacts stay as the series has them: folds and doublings are off by O(1/H). Motions of k periods have k
 /// times the harmonics.
 ///
-/// \param scene  over the frequency of its load
-BranchDiagram series_diagram(const ParametrisedScene& scene, const SeriesMethod& method,
-                             const CurveLimits& limits);
+/// \param scene    over the frequency of its load
+/// \param method   itself, with these options
+/// \param law_at   the contact law as it imposes it
+BranchDiagram series_diagram(const ParametrisedScene& scene, const Method& method,
+                             const HarmonicOptions& options, const LawAt& law_at, const CurveLimits& limits);
 
 }  // namespace signorini

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -14,6 +15,15 @@
 namespace signorini {
 
 namespace {
+
+/// Unknowns beside a grazing of a motion without contact, at which the curve is evaluated, on the side from
+/// which `slope` comes: there it does not touch.
+Eigen::VectorXd before_grazing(const SeriesCurve& curve, const Eigen::VectorXd& slope) {
+  constexpr double kBefore = 1e-9;  // of the unit of the frequency
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(curve.size() + 1);
+  x[curve.size()] = curve.x()[curve.size()] - std::copysign(kBefore, slope[curve.size()]);
+  return x;
+}
 
 /// A search along one step; found points are sorted at the end.
 class StepSearch {
@@ -45,18 +55,18 @@ class StepSearch {
   // Where all that can branch off has its own block, and the corrector stays on motions for which R_x is
   // regular.
   void pitchforks() {
-    SymmetricMotions motions(curve_.series());
+    SeriesCurve& series = curve_.series();
+    const AnyEquations motions = symmetric_motions(series);
     const CurveStep step{here_.x, here_.slope, here_.slope.dot(next_.x - here_.x)};
-    const auto test = [](SymmetricMotions& at) { return std::optional(pitchfork_test(at.series())); };
-    const auto at_end = [&](const Eigen::VectorXd& x) { return motions.evaluate(x) ? *test(motions) : 0.0; };
+    const std::function<std::optional<double>()> test = [&] { return pitchfork_test(series); };
+    const auto at_end = [&](const Eigen::VectorXd& x) { return series.evaluate(x) ? *test() : 0.0; };
     const double first = at_end(here_.x), last = at_end(next_.x);
     if (!(first * last < 0.0)) return;
     const auto length = locate(motions, step, test, first, last);
     if (!length) return;
     add(step_.length * *length / step.length, SpecialKind::branch_point, {});
     const Eigen::VectorXd slope = (here_.slope + next_.slope).normalized();
-    for (SeriesStart& other : pitchfork_branches(curve_.series(), slope))
-      events_.others.push_back(std::move(other));
+    for (SeriesStart& other : pitchfork_branches(series, slope)) events_.others.push_back(std::move(other));
   }
 
   void doublings() {
@@ -141,13 +151,6 @@ std::vector<std::size_t> interval_counts(const SeriesCurve& curve) {
     counts.push_back(count);
   }
   return counts;
-}
-
-Eigen::VectorXd before_grazing(const SeriesCurve& curve, const Eigen::VectorXd& slope) {
-  constexpr double kBefore = 1e-9;  // of the unit of the frequency
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(curve.size() + 1);
-  x[curve.size()] = curve.x()[curve.size()] - std::copysign(kBefore, slope[curve.size()]);
-  return x;
 }
 
 SeriesStation series_station(DepthCurve& curve, const Eigen::VectorXd& slope, bool doublings) {

@@ -31,10 +31,6 @@ SeriesStation series_station(DepthCurve& curve, const Eigen::VectorXd& slope, bo
 /// kNoPhase, and those so near to the next one, do not count.
 std::vector<std::size_t> interval_counts(const SeriesCurve& curve);
 
-/// Unknowns beside a grazing of a motion without contact, at which the curve is evaluated, on the side from
-/// which `slope` comes: there it does not touch.
-Eigen::VectorXd before_grazing(const SeriesCurve& curve, const Eigen::VectorXd& slope);
-
 /// The special points of a step in the order they are met, and what begins there.
 struct SeriesEvents {
   std::vector<SpecialPoint> special = {};       ///< `after` left at 0

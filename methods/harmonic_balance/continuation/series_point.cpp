@@ -19,7 +19,6 @@ namespace {
 /// The extremum of y near `t`, between the samples beside it, by Newton's method on y': the best of its
 /// steps.
 double polished_extremum(const Eigen::VectorXcd& y, double t, double spacing) {
-  constexpr double kSettled = 1e-12;  // of the period: y is flat there
   const Jet first = trigonometric_jet(y, t);
   const double side = first.curvature < 0.0 ? 1.0 : -1.0;
   double best = first.value;
@@ -28,7 +27,8 @@ double polished_extremum(const Eigen::VectorXcd& y, double t, double spacing) {
     if (side * jet.value > side * best) best = jet.value;
     return ValueAndSlope{jet.slope, jet.curvature};
   };
-  newton_zero_near(slope, {.guess = t, .reach = spacing, .settled = kSettled});
+  // Shares of the period: y is flat there.
+  newton_zero_near(slope, {.guess = t, .reach = spacing, .settled = 1e-12});
   return best;
 }
 

@@ -121,21 +121,7 @@ bool SeriesSteps::shorten_to(const StepTarget& target) {
 }
 
 std::optional<StepTarget> SeriesSteps::target() const {
-  const SeriesFamily& family = series_.family();
-  return first_target(limits_.at, family.low, family.high, here_.x[series_.size()] * family.frequency_unit,
-                      curve_.frequency());
-}
-
-// Between the last point and the one at which the curve is evaluated.
-bool SeriesSteps::turns_past_value(const Eigen::VectorXd& tangent) const {
-  constexpr double kShortest = 1e-5;  // of steps that are shortened for it
-  const SeriesFamily& family = series_.family();
-  const double rate = length_ * family.frequency_unit;
-  const Eigen::Index last = tangent.size() - 1;
-  return length_ > kShortest &&
-         turns_past(limits_.at, family.low, family.high,
-                    {here_.x[series_.size()] * family.frequency_unit, rate * here_.tangent[last]},
-                    {curve_.frequency(), rate * tangent[last] / tangent.dot(here_.tangent)});
+  return series_.family().target(limits_.at, here_.x, curve_.frequency());
 }
 
 // A branch of few unknown changes, as without contact, still has neighbours for points.
@@ -158,7 +144,9 @@ std::optional<Eigen::VectorXd> SeriesSteps::next_slope(double& turn) {
   const auto tangent = tangent_of(curve_, here_.tangent);
   if (!tangent) return std::nullopt;
   turn = std::acos(std::clamp(tangent->dot(here_.tangent), -1.0, 1.0));
-  if (turn > StepRules::kTurned || turns_past_value(*tangent)) return std::nullopt;
+  if (turn > StepRules::kTurned ||
+      series_.family().turns_past(limits_.at, whole_step(), curve_.frequency(), *tangent))
+    return std::nullopt;
   if (!ceasing_) return curve_.without_depths(*tangent).normalized();
   // Where a depth is zero all else stands still: on along the curve on which that contact is open.
   const Eigen::VectorXd slope = first_tangent(series_);
@@ -167,12 +155,12 @@ std::optional<Eigen::VectorXd> SeriesSteps::next_slope(double& turn) {
 
 // A step to where the next contact, or gap in one, begins.
 std::optional<SeriesStep> SeriesSteps::begin_contact() {
-  constexpr double kReach = 2.0;  // of the step
   if (series_.family().integral != ContactIntegral::exact) return std::nullopt;
   curve_.follow(here_.depths);
   if (!curve_.evaluate(here_.z)) return std::nullopt;
   const double share = curve_.without_depths(here_.tangent).norm();
-  for (const NascentContact& nascent : nascent_contacts(series_, here_.slope, kReach * length_ * share)) {
+  for (const NascentContact& nascent :
+       nascent_contacts(series_, here_.slope, StepRules::kFar * length_ * share)) {
     const bool followed = std::any_of(here_.depths.begin(), here_.depths.end(),
                                       [&](const auto& depth) { return same_extremum(depth, nascent.depth); });
     if (followed) continue;
@@ -182,9 +170,6 @@ std::optional<SeriesStep> SeriesSteps::begin_contact() {
 }
 
 std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nascent, double distance) {
-  constexpr double kReach = 2.0;   // of the distance expected
-  constexpr int kIterations = 15;  // at most
-  constexpr int kUsual = 3;        // after which the length of a step stays about the same
   std::vector<ContactDepth> depths = here_.depths;
   depths.push_back(nascent.depth);
   curve_.follow(depths);
@@ -192,16 +177,16 @@ std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nasce
   const Eigen::VectorXd end = here_.z + distance * here_.tangent;
   Eigen::VectorXd predicted(last + 2);
   predicted << end.head(last), 0.0, end[last];
-  if (!correct(curve_, predicted, Eigen::VectorXd::Unit(last + 2, last), {.iterations = kIterations}))
+  if (!correct(curve_, predicted, Eigen::VectorXd::Unit(last + 2, last), {.iterations = 15}))
     return std::nullopt;
   const Eigen::VectorXd z = curve_.with_depths(series_.x(), curve_.w().head(curve_.count() - 1));
-  const bool beyond = (z - here_.z).norm() > kReach * distance;
+  const bool beyond = (z - here_.z).norm() > StepRules::kFar * distance;
   if (beyond || !(here_.slope.dot(series_.x() - here_.x) > 0.0)) return std::nullopt;
   const ContactDepth beginning = curve_.depth_here(curve_.count() - 1);
   curve_.follow(here_.depths);
   if (!curve_.evaluate(z) || target()) return std::nullopt;
   ceasing_.reset();
-  auto step = arrive(kUsual);
+  auto step = arrive(3);  // as after so many iterations: the length of a step stays about the same
   // Where the square falls again the contact began before.
   if (!step || !(square_rate(series_, beginning, step->next.slope) > 0.0)) return std::nullopt;
   length_ = step->length = here_.tangent.dot(z - here_.z);
@@ -216,26 +201,26 @@ void SeriesSteps::turn_along_depths(const ContactDepth& first) {
   for (const NascentContact& other : nascent_contacts(series_, here_.slope, 0.0))
     if (!same_extremum(first, other.depth)) beginning.push_back(other.depth);
   // Rounding may have the contact that begins for one that is there already, short as it is.
-  std::vector<ContactDepth> lasting;
-  std::vector<double> lengths;
+  std::vector<ContactDepth> followed;
+  std::vector<double> w, rates;
   for (std::size_t i = 0; i < here_.depths.size(); ++i) {
     if (same_extremum(first, here_.depths[i])) continue;
-    lasting.push_back(here_.depths[i]);
-    lengths.push_back(here_.z[series_.size() + static_cast<Eigen::Index>(i)]);
+    followed.push_back(here_.depths[i]);
+    w.push_back(here_.z[series_.size() + static_cast<Eigen::Index>(i)]);
+    rates.push_back(0.0);
   }
-  here_.depths = std::move(lasting);
-  const auto before = static_cast<Eigen::Index>(here_.depths.size());
-  const auto count = before + static_cast<Eigen::Index>(beginning.size());
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(count), rates = w;
-  w.head(before) = Eigen::Map<const Eigen::VectorXd>(lengths.data(), before);
-  for (Eigen::Index i = before; i < count; ++i) {
-    const ContactDepth& depth = beginning[static_cast<std::size_t>(i - before)];
-    rates[i] = std::sqrt(std::max(0.0, square_rate(series_, depth, here_.slope)));
-    here_.depths.push_back(depth);
+  for (const ContactDepth& depth : beginning) {
+    followed.push_back(depth);
+    w.push_back(0.0);
+    rates.push_back(std::sqrt(std::max(0.0, square_rate(series_, depth, here_.slope))));
   }
+  here_.depths = std::move(followed);
   curve_.follow(here_.depths);
-  here_.z = curve_.with_depths(here_.x, w);
-  here_.tangent = curve_.with_depths(Eigen::VectorXd::Zero(here_.x.size()), rates).normalized();
+  using Values = Eigen::Map<const Eigen::VectorXd>;
+  here_.z = curve_.with_depths(here_.x, Values(w.data(), curve_.count()));
+  here_.tangent =
+      curve_.with_depths(Eigen::VectorXd::Zero(here_.x.size()), Values(rates.data(), curve_.count()))
+          .normalized();
   length_ = StepRules::kFirst;
 }
 

@@ -2,10 +2,7 @@
 // Steps along a curve of harmonic balance, and where contacts begin and cease on them.
 
 #include <Eigen/Core>
-#include <chrono>
-#include <functional>
 #include <optional>
-#include <vector>
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/continuation/curve_tracer.hpp"
@@ -49,7 +46,6 @@ class SeriesSteps {
 
   [[nodiscard]] DepthCurve& curve() { return curve_; }
   [[nodiscard]] SeriesCurve& series() { return series_; }
-  [[nodiscard]] const SeriesCurve& series() const { return series_; }
   [[nodiscard]] const SeriesStation& here() const { return here_; }
   [[nodiscard]] double length() const { return length_; }  ///< of the next attempt
   /// Whether the last attempt began at an end of the interval and led out of it.
@@ -67,7 +63,6 @@ class SeriesSteps {
   bool shorten_to(const StepTarget& target);
   [[nodiscard]] std::optional<StepTarget> target() const;
   [[nodiscard]] bool moves_too_far() const;
-  [[nodiscard]] bool turns_past_value(const Eigen::VectorXd& tangent) const;
   std::optional<SeriesStep> arrive(int iterations);
   std::optional<Eigen::VectorXd> next_slope(double& turn);
   std::optional<SeriesStep> begin_contact();

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <utility>
 
 #include "methods/continuation/arc_length.hpp"
 #include "methods/discretisation/fourier_series.hpp"
@@ -61,11 +59,10 @@ std::size_t intervals_of(const SeriesCurve& curve) {
 /// approach of a contact to its stop where it does not press, then the equations with the size of that force
 /// prescribed; the four nearest approaches. \return whether there is one, at which the curve is then left
 bool press_further(SeriesCurve& curve, const Eigen::VectorXd& x, std::size_t intervals) {
-  constexpr std::size_t kNearest = 4;
   constexpr double kReach = 40.0;  // of the size prescribed
   if (!curve.evaluate(x)) return false;
   std::vector<Approach> found = approaches(curve);
-  if (found.size() > kNearest) found.resize(kNearest);
+  if (found.size() > 4) found.resize(4);
   const LuFactors lu(curve.jacobian().leftCols(curve.size()));
   for (const Approach& approach : found) {
     Eigen::MatrixXcd push = Eigen::MatrixXcd::Zero(curve.harmonics() + 1, curve.motion().cols());
@@ -100,10 +97,7 @@ Eigen::VectorXd begun_later(const Eigen::VectorXd& x, int harmonics, double shar
   return later;
 }
 
-double rounding_of(const Eigen::VectorXd& x) {
-  constexpr double kRounding = 1e-7, kShare = 1e-3;
-  return std::min(kRounding, kShare * x.head(x.size() - 1).norm());
-}
+double rounding_of(const Eigen::VectorXd& x) { return std::min(1e-7, 1e-3 * x.head(x.size() - 1).norm()); }
 
 Eigen::VectorXd unrepeated_part(const Eigen::VectorXd& x, const SeriesCurve& curve, int p) {
   Eigen::VectorXd part = x.head(curve.size());

@@ -1,10 +1,8 @@
 #include "methods/harmonic_balance/continuation/series_symmetry.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
 
 #include "methods/structure/receptance.hpp"
 #include "problems/linear_algebra/singular_values.hpp"
@@ -13,26 +11,23 @@ namespace signorini {
 
 namespace {
 
+// How near what is the same by symmetry has to be, of the largest entry.
+constexpr double kSame = 1e-9;
+
 double sign_of_harmonic(Eigen::Index n) { return n % 2 == 0 ? 1.0 : -1.0; }
 
 // (-1)^n of a packed coefficient 0, 1c, 1s, 2c, ...
 double sign_of_coefficient(Eigen::Index i) { return sign_of_harmonic((i + 1) / 2); }
 
 bool same_receptance(const ContactReceptance& receptance, const std::vector<Eigen::Index>& opposite) {
-  constexpr double kSame = 1e-9;  // of the largest entry
   for (const Eigen::MatrixXcd& C : receptance.receptance) {
-    Eigen::MatrixXcd exchanged = C;
-    for (Eigen::Index i = 0; i < C.rows(); ++i) {
-      for (Eigen::Index j = 0; j < C.cols(); ++j)
-        exchanged(i, j) = C(opposite[static_cast<std::size_t>(i)], opposite[static_cast<std::size_t>(j)]);
-    }
+    const Eigen::MatrixXcd exchanged = C(opposite, opposite);
     if ((exchanged - C).cwiseAbs().maxCoeff() > kSame * C.cwiseAbs().maxCoeff()) return false;
   }
   return true;
 }
 
 bool opposite_response(const Eigen::MatrixXcd& free, Eigen::Index j, Eigen::Index k) {
-  constexpr double kSame = 1e-9;  // of the largest harmonic
   double difference = 0.0;
   for (Eigen::Index n = 0; n < free.rows(); ++n)
     difference = std::max(difference, std::abs(free(n, k) - sign_of_harmonic(n) * free(n, j)));
@@ -42,8 +37,7 @@ bool opposite_response(const Eigen::MatrixXcd& free, Eigen::Index j, Eigen::Inde
 }  // namespace
 
 std::vector<Eigen::Index> opposite_contacts(const Problem& problem) {
-  constexpr int kHarmonics = 4;
-  int harmonics = kHarmonics;
+  int harmonics = 4;  // at least
   for (const auto& term : problem.force) harmonics = std::max(harmonics, term.harmonic * problem.subharmonic);
   const auto count = static_cast<Eigen::Index>(problem.contacts.size());
   if (count == 0 || count % 2 != 0) return {};
@@ -82,7 +76,6 @@ Eigen::VectorXd mirrored(const SeriesCurve& curve, const Eigen::VectorXd& x) {
 }
 
 bool is_symmetric(const SeriesCurve& curve, const Eigen::VectorXd& x) {
-  constexpr double kSame = 1e-9;
   return half_period_symmetry(curve) && (mirrored(curve, x) - x).norm() <= kSame * x.norm();
 }
 
@@ -90,19 +83,22 @@ namespace {
 
 // The rows of each pair (j, j'), j < j', first those of j: an orthonormal basis of S v = -v is
 // (e_ji - (-1)^n e_j'i) / sqrt(2).
-struct PairedRow {
-  Eigen::Index first, second;
-  double sign;
+struct PairedRows {
+  std::vector<Eigen::Index> first = {}, second = {};
+  Eigen::VectorXd sign = {};
 };
 
-std::vector<PairedRow> paired_rows(const SeriesCurve& curve) {
+PairedRows paired_rows(const SeriesCurve& curve) {
   const std::vector<Eigen::Index>& opposite = curve.family().opposite;
   const Eigen::Index stride = 2 * curve.harmonics() + 1;
-  std::vector<PairedRow> rows;
+  PairedRows rows{.sign = Eigen::VectorXd(stride * static_cast<Eigen::Index>(opposite.size() / 2))};
   for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(opposite.size()); ++j) {
     const Eigen::Index other = opposite[static_cast<std::size_t>(j)];
-    for (Eigen::Index i = 0; i < stride && j < other; ++i)
-      rows.push_back({.first = j * stride + i, .second = other * stride + i, .sign = sign_of_coefficient(i)});
+    for (Eigen::Index i = 0; i < stride && j < other; ++i) {
+      rows.sign[std::ssize(rows.first)] = sign_of_coefficient(i);
+      rows.first.push_back(j * stride + i);
+      rows.second.push_back(other * stride + i);
+    }
   }
   return rows;
 }
@@ -110,20 +106,10 @@ std::vector<PairedRow> paired_rows(const SeriesCurve& curve) {
 }  // namespace
 
 Eigen::MatrixXd antisymmetric_block(const SeriesCurve& curve) {
-  const std::vector<PairedRow> pairs = paired_rows(curve);
+  const auto [first, second, sign] = paired_rows(curve);
+  const auto S = sign.asDiagonal();
   const Eigen::MatrixXd J = curve.jacobian();
-  const auto n = static_cast<Eigen::Index>(pairs.size());
-  Eigen::MatrixXd block(n, n);
-  for (Eigen::Index r = 0; r < n; ++r) {
-    const PairedRow& row = pairs[static_cast<std::size_t>(r)];
-    for (Eigen::Index c = 0; c < n; ++c) {
-      const PairedRow& column = pairs[static_cast<std::size_t>(c)];
-      block(r, c) = 0.5 * (J(row.first, column.first) - column.sign * J(row.first, column.second) -
-                           row.sign * J(row.second, column.first) +
-                           row.sign * column.sign * J(row.second, column.second));
-    }
-  }
-  return block;
+  return 0.5 * (J(first, first) - J(first, second) * S - S * J(second, first) + S * J(second, second) * S);
 }
 
 double pitchfork_test(const SeriesCurve& curve) {
@@ -133,14 +119,17 @@ double pitchfork_test(const SeriesCurve& curve) {
 
 std::vector<SeriesStart> pitchfork_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent) {
   const Eigen::VectorXd null = right_singular_vectors(antisymmetric_block(curve)).rightCols(1);
-  const std::vector<PairedRow> pairs = paired_rows(curve);
+  const auto [first, second, sign] = paired_rows(curve);
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(curve.size() + 1);
-  for (std::size_t r = 0; r < pairs.size(); ++r) {
-    const double entry = null[static_cast<Eigen::Index>(r)] / std::numbers::sqrt2;
-    direction[pairs[r].first] = entry;
-    direction[pairs[r].second] = -pairs[r].sign * entry;
-  }
+  direction(first) = null / std::numbers::sqrt2;
+  direction(second) = -sign.cwiseProduct(direction(first));
   return both_ways(curve, direction, tangent);
+}
+
+AnyEquations symmetric_motions(SeriesCurve& curve) {
+  AnyEquations equations(curve);
+  equations.settle = [&curve](Eigen::VectorXd& x) { x = (0.5 * (x + mirrored(curve, x))).eval(); };
+  return equations;
 }
 
 }  // namespace signorini

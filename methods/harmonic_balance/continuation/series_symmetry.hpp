@@ -3,9 +3,9 @@
 // motions.
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
+#include "methods/continuation/arc_length.hpp"
 #include "methods/harmonic_balance/continuation/series_switching.hpp"
 
 namespace signorini {
@@ -44,21 +44,7 @@ double pitchfork_test(const SeriesCurve& curve);
 std::vector<SeriesStart> pitchfork_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent);
 
 /// The equations on symmetric motions: the corrector stays on them, where the whole system is singular at a
-/// pitchfork and one of symmetric changes is not. Of the concept CurveEquations, with Settles.
-class SymmetricMotions {
- public:
-  /// \param curve  kept by the caller
-  explicit SymmetricMotions(SeriesCurve& curve) : curve_(curve) {}
-  [[nodiscard]] Eigen::Index size() const { return curve_.size(); }
-  bool evaluate(const Eigen::VectorXd& x) { return curve_.evaluate(x); }
-  [[nodiscard]] const Eigen::VectorXd& residual() const { return curve_.residual(); }
-  [[nodiscard]] Eigen::MatrixXd jacobian() const { return curve_.jacobian(); }
-  [[nodiscard]] double noise() const { return curve_.noise(); }
-  void settle(Eigen::VectorXd& x) const { x = (0.5 * (x + mirrored(curve_, x))).eval(); }
-  [[nodiscard]] SeriesCurve& series() const { return curve_; }
-
- private:
-  SeriesCurve& curve_;
-};
+/// pitchfork and one of symmetric changes is not. \param curve  kept by the caller
+AnyEquations symmetric_motions(SeriesCurve& curve);
 
 }  // namespace signorini

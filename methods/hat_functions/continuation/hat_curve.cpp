@@ -1,25 +1,18 @@
 #include "methods/hat_functions/continuation/hat_curve.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "methods/discretisation/real_fft.hpp"
 #include "methods/hat_functions/hat_contact.hpp"
 
 namespace signorini {
 
 namespace {
 
-double angle_of(int n, int samples) { return 2.0 * std::numbers::pi * n / samples; }
-
 ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int samples) {
-  const double step = problem.period() / samples;
-  ReceptanceRate result = receptance_with_rate(
-      problem, samples / 2, [&](int n) { return scheme_weights(scheme, angle_of(n, samples), step); });
+  ReceptanceRate result = receptance_with_rate(problem, samples / 2, grid_weights(problem, scheme, samples));
   weigh_contact_force(result.value.receptance, scheme, samples);
   weigh_contact_force(result.receptance, scheme, samples);
   return result;
@@ -27,24 +20,11 @@ ReceptanceRate scheme_receptance(const Problem& problem, HatScheme scheme, int s
 
 }  // namespace
 
-HatFamily hat_family(const Problem& problem, double from, double to) {
-  HatFamily family{.problem = problem, .low = std::min(from, to), .high = std::max(from, to)};
-  family.problem = at_frequency(problem, 0.5 * (from + to));
-  family.frequency_unit = (family.high - family.low) / 3.0;
-  if (problem.contact_count() == 0) return family;
-  family.displacement_unit =
-      std::max(contact_gaps(problem).cwiseAbs().maxCoeff(), static_deflection(family.problem));
-  if (!(family.displacement_unit > 0.0)) family.displacement_unit = 1.0;
-  return family;
-}
-
 HatCurve::HatCurve(const HatFamily& family, int multiple)
     : family_(family),
-      multiple_(multiple),
       samples_(multiple * family.samples),
       problem_(with_subharmonic(family.problem, multiple * family.problem.subharmonic)),
       stops_(nodal_stops(family.problem, family.restitution)) {
-  problem_ = at_frequency(std::move(problem_), 0.5 * (family.low + family.high));
   receptance_ = scheme_receptance(problem_, family.scheme, samples_);
   const BlockCirculant middle = operator_of(receptance_.value.receptance, stops_.compliance);
   weight_.resize(problem_.contact_count());
@@ -156,7 +136,7 @@ double HatCurve::gap_rate(int node, const Eigen::VectorXd& tangent) const {
 
 Eigen::VectorXd HatCurve::on_all(const Eigen::VectorXd& x) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(nodes() + rigid_count() + 1);
-  for (Eigen::Index k = 0; k < pressing_count(); ++k) all[pressing_[static_cast<std::size_t>(k)]] = x[k];
+  all(pressing_) = x.head(pressing_count());
   all.tail(rigid_count() + 1) = x.tail(rigid_count() + 1);
   return all;
 }
@@ -168,16 +148,8 @@ Eigen::VectorXd HatCurve::on_pressing(const Eigen::VectorXd& all) const {
 }
 
 Eigen::MatrixXd HatCurve::motion() const {
-  const int contacts = problem_.contact_count();
-  RealFft fft(samples_);
-  Eigen::MatrixXcd force(fft.coefficients(), contacts);
-  for (int c = 0; c < contacts; ++c) {
-    const Eigen::VectorXd pushed = -pressure_.segment(c * samples_, samples_);
-    fft.forward(pushed, force.col(c));
-  }
-  const Eigen::MatrixXcd spectrum = contact_motion(receptance_.value, force);
-  Eigen::MatrixXd x(samples_, contacts);
-  for (int c = 0; c < contacts; ++c) fft.inverse(spectrum.col(c), x.col(c));
+  Eigen::MatrixXd x =
+      nodal_response(receptance_.value, -pressure_.reshaped(samples_, problem_.contact_count()));
   if (rigid_count() > 0)
     x.rowwise() +=
         (family_.displacement_unit * border_ * x_.segment(pressing_count(), rigid_count())).transpose();

@@ -7,21 +7,18 @@
 #include <vector>
 
 #include "methods/complementarity/forms.hpp"
+#include "methods/continuation/curve_family.hpp"
 #include "methods/discretisation/block_circulant.hpp"
 #include "methods/structure/receptance_rate.hpp"
 
 namespace signorini {
 
-/// What a method of hat functions makes of a scene over an interval of frequencies of its load, and the units
-/// of its curves, which do not change along them.
-struct HatFamily {
-  Problem problem;  ///< at any frequency; the order of the scene is that of the shortest motions followed
-  double low = 0.0, high = 0.0;            ///< of the interval [rad/s]
+/// What a method of hat functions makes of a scene over an interval of frequencies of its load. The unit of
+/// displacement is that of w, and of the response to the pressure.
+struct HatFamily : CurveFamily {
   int samples = 256;                       ///< N of the motions of the scene's order [-]
   HatScheme scheme = HatScheme::galerkin;  ///< the symbol
   NodalRestitution restitution = {};       ///< as of hat_contact
-  double frequency_unit = 1.0;             ///< of the frequency in the unknowns [rad/s]
-  double displacement_unit = 1.0;          ///< of w, and of the response to the pressure [m]
 };
 
 /// w_S = 0 of the complementarity problem
@@ -60,7 +57,6 @@ class HatCurve {
   [[nodiscard]] Eigen::VectorXd on_pressing(const Eigen::VectorXd& all) const;
 
   [[nodiscard]] const HatFamily& family() const { return family_; }
-  [[nodiscard]] int multiple() const { return multiple_; }
   [[nodiscard]] int order() const { return problem_.subharmonic; }  ///< forcing periods per period
   [[nodiscard]] int samples() const { return samples_; }            ///< N of the motions of this multiple
   [[nodiscard]] int nodes() const { return samples_ * problem_.contact_count(); }  ///< N Nc
@@ -80,7 +76,6 @@ class HatCurve {
   [[nodiscard]] Eigen::VectorXd shifted_samples(const Eigen::MatrixXcd& spectrum) const;
 
   const HatFamily& family_;
-  int multiple_;
   int samples_;
   Problem problem_;
   NodalStops stops_;
@@ -93,8 +88,5 @@ class HatCurve {
   ReceptanceRate receptance_;
   std::optional<BlockCirculant> matrix_;
 };
-
-/// A family with its units, those of series_family.
-HatFamily hat_family(const Problem& problem, double from, double to);
 
 }  // namespace signorini

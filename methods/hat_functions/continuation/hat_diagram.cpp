@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <exception>
 #include <utility>
 #include <vector>
 
@@ -50,7 +48,7 @@ class HatDiagram final : public MethodDiagram<HatStart> {
   }
 
   [[nodiscard]] HatStart into_interval(HatCurve& curve) const {
-    const bool upwards = curve.frequency() < 0.5 * (family_.low + family_.high);
+    const bool upwards = family_.is_below_middle(curve.frequency());
     return {.multiple = 1,
             .pressing = curve.pressing(),
             .x = curve.x(),
@@ -65,8 +63,9 @@ class HatDiagram final : public MethodDiagram<HatStart> {
   }
 
   TracedBranch<HatStart> trace(const HatStart& start) override {
-    TracedHat traced = trace_hat(family_, start, limits(), *this);
-    for (const HatStart& grazing : traced.grazings) add_grazing_branches(grazing, traced.others);
+    TracedBranch<HatStart> traced = trace_hat(family_, start, limits(), *this);
+    for (const HatStart& grazing : std::exchange(traced.others, {}))
+      add_grazing_branches(grazing, traced.others);
     return traced;
   }
 

@@ -9,26 +9,22 @@
 #include <utility>
 
 #include "methods/continuation/arc_length.hpp"
+#include "methods/discretisation/trajectories.hpp"
 
 namespace signorini {
 
 namespace {
 
+constexpr double kRounding = 1e-13;  // of gaps and pressures in their units, and of their rates
+
 /// Phases of contact: runs of pressing nodes, around the period.
 int phases_of(const HatCurve& curve) {
-  const int samples = curve.samples();
-  std::vector<bool> presses(static_cast<std::size_t>(curve.nodes()), false);
-  for (const int node : curve.pressing()) presses[static_cast<std::size_t>(node)] = true;
-  int phases = 0;
-  for (int first = 0; first < curve.nodes(); first += samples) {
-    int begins = 0;
-    for (int i = 0; i < samples; ++i) {
-      const bool before = presses[static_cast<std::size_t>(first + (i + samples - 1) % samples)];
-      if (presses[static_cast<std::size_t>(first + i)] && !before) ++begins;
-    }
-    phases += begins == 0 && presses[static_cast<std::size_t>(first)] ? 1 : begins;
-  }
-  return phases;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(curve.nodes());
+  force(curve.pressing()).setConstant(-1.0);
+  std::size_t phases = 0;
+  for (int first = 0; first < curve.nodes(); first += curve.samples())
+    phases += contact_phases(force.segment(first, curve.samples()), 0.0, 1).size();
+  return static_cast<int>(phases);
 }
 
 SolutionPoint point_of(const HatCurve& curve) {
@@ -43,18 +39,6 @@ SolutionPoint point_of(const HatCurve& curve) {
     point.amplitude.push_back(0.5 * (x.col(c).maxCoeff() - x.col(c).minCoeff()));
   }
   return point;
-}
-
-/// Hat functions with these values at the nodes, at `count` equidistant instants, count x Nc.
-Eigen::MatrixXd resampled(const Eigen::MatrixXd& x, Eigen::Index count) {
-  Eigen::MatrixXd values(count, x.cols());
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double node = static_cast<double>(i * x.rows()) / static_cast<double>(count);
-    const auto before = static_cast<Eigen::Index>(node);
-    const double share = node - static_cast<double>(before);
-    values.row(i) = (1.0 - share) * x.row(before) + share * x.row((before + 1) % x.rows());
-  }
-  return values;
 }
 
 /// A node whose gap or pressure becomes zero on a step.
@@ -74,16 +58,14 @@ struct Violation {
 /// All of them. \param x, gaps  at the beginning of the step
 std::vector<Violation> violations(const HatCurve& curve, const Eigen::VectorXd& x,
                                   const Eigen::VectorXd& gaps) {
-  constexpr double kRounding = 1e-13;  // of gaps and pressures in their units
+  const std::vector<int>& pressing = curve.pressing();
   std::vector<Violation> found;
-  std::vector<bool> presses(static_cast<std::size_t>(curve.nodes()), false);
   for (Eigen::Index k = 0; k < curve.pressing_count(); ++k) {
-    const int node = curve.pressing()[static_cast<std::size_t>(k)];
-    presses[static_cast<std::size_t>(node)] = true;
-    if (curve.x()[k] < -kRounding) found.push_back({{node, false, 0.0}, k, x[k], curve.x()[k]});
+    if (curve.x()[k] < -kRounding)
+      found.push_back({{pressing[static_cast<std::size_t>(k)], false, 0.0}, k, x[k], curve.x()[k]});
   }
   for (int node = 0; node < curve.nodes(); ++node) {
-    if (!presses[static_cast<std::size_t>(node)] && curve.gaps()[node] < -kRounding)
+    if (curve.gaps()[node] < -kRounding && !std::ranges::binary_search(pressing, node))
       found.push_back({{node, true, 0.0}, 0, gaps[node], curve.gaps()[node]});
   }
   return found;
@@ -109,9 +91,7 @@ std::optional<NodeChange> first_change(HatCurve& curve, const CurveStep& step, i
     const auto share = [](const Violation& v) {
       return std::max(v.before, 0.0) / (std::max(v.before, 0.0) - v.last);
     };
-    const Violation next =
-        *std::min_element(found.begin(), found.end(),
-                          [&](const Violation& a, const Violation& b) { return share(a) < share(b); });
+    const Violation next = *std::ranges::min_element(found, {}, share);
     first = next.change;
     if (next.before <= 0.0) return first;
     const auto value = [&](HatCurve& at) {
@@ -154,12 +134,8 @@ class HatTracer final : public CurveTracer<HatStart> {
     result().branch.sequence = fmt::format("order {}, {} nodes", curve_.order(), curve_.samples());
   }
 
-  [[nodiscard]] std::vector<HatStart> take_grazings() { return std::move(grazings_); }
-
  private:
   static constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
-  static constexpr double kShortestTurn =
-      1e-5;  // of steps that are shortened at a turn over a value asked for
 
   [[nodiscard]] double length() const override { return step_; }
   [[nodiscard]] CurveStep whole_step() const { return {x_, tangent_, step_}; }
@@ -174,7 +150,7 @@ class HatTracer final : public CurveTracer<HatStart> {
     motion_ = curve_.motion();
     SolutionPoint point = point_of(curve_);
     if (limits().phases > 0)
-      point.motion = resampled(motion_, Eigen::Index{limits().phases} * curve_.order());
+      point.motion = NodalTrajectory(1.0, motion_, motion_).sample(limits().phases * curve_.order()).x;
     CurveTracer::append(std::move(point), curve_.on_all(x_), curve_.on_all(tangent_));
   }
 
@@ -188,15 +164,14 @@ class HatTracer final : public CurveTracer<HatStart> {
     const auto tangent = tangent_of(curve_, tangent_);
     if (!tangent || tangent->dot(tangent_) < std::cos(StepRules::kTurned) || moves_too_far())
       return shorten(0.5);
-    if (step_ > kShortestTurn && turns_past_value(*tangent)) return shorten(0.5);
+    const HatFamily& family = curve_.family();
+    if (family.turns_past(limits().at, whole_step(), curve_.frequency(), *tangent)) return shorten(0.5);
     const Eigen::VectorXd end = curve_.x();
     const auto change = first_change(curve_, whole_step(), just_changed_);
     if (change && change->length < 0.0) return shorten(0.5);  // not to be located on so long a step
     double length = change ? change->length : step_;
-    const HatFamily& family = curve_.family();
     const double unit = family.frequency_unit;
-    const auto target = first_target(limits().at, family.low, family.high, x_[x_.size() - 1] * unit,
-                                     end[end.size() - 1] * unit);
+    const auto target = family.target(limits().at, x_, end[end.size() - 1] * unit);
     const auto stop =
         target ? length_to_parameter(curve_, whole_step(), end, target->value / unit) : std::nullopt;
     if (target && !stop) return target->leaves ? finish("end of the interval") : shorten(0.5);
@@ -213,15 +188,6 @@ class HatTracer final : public CurveTracer<HatStart> {
   }
 
   void shorten(double factor) { step_ *= factor; }
-
-  // Between the last point and the one at which the curve is evaluated.
-  [[nodiscard]] bool turns_past_value(const Eigen::VectorXd& tangent) const {
-    const HatFamily& family = curve_.family();
-    const double unit = family.frequency_unit, rate = step_ * unit;
-    const Eigen::Index last = tangent.size() - 1;
-    return turns_past(limits().at, family.low, family.high, {x_[last] * unit, rate * tangent_[last]},
-                      {curve_.frequency(), rate * tangent[last] / tangent.dot(tangent_)});
-  }
 
   // Neighbours for points, on a branch of few unknowns too.
   [[nodiscard]] bool moves_too_far() const {
@@ -246,8 +212,7 @@ class HatTracer final : public CurveTracer<HatStart> {
     const double turn = tangent ? std::acos(std::clamp(tangent->dot(tangent_), -1.0, 1.0)) : 0.0;
     x_ = curve_.x();
     if (tangent) tangent_ = *tangent;
-    constexpr double kNone = 1e-12;  // a step of no length, between two changes at one point
-    if (!(length > kNone * step_)) return;
+    if (!(length > 1e-12 * step_)) return;  // between two changes at one point
     append();
     just_changed_ = -1;
     const double longest =
@@ -264,7 +229,7 @@ class HatTracer final : public CurveTracer<HatStart> {
     std::vector<int> pressing = curve_.pressing();
     const bool was_free = pressing.empty();
     if (was_free && start().multiple == 1)
-      grazings_.push_back({.multiple = 1, .pressing = {}, .x = x_, .tangent = tangent_, .origin = {}});
+      result().others.push_back({.multiple = 1, .pressing = {}, .x = x_, .tangent = tangent_, .origin = {}});
     if (change.joins) {
       pressing.insert(std::upper_bound(pressing.begin(), pressing.end(), change.node), change.node);
     } else {
@@ -295,7 +260,6 @@ class HatTracer final : public CurveTracer<HatStart> {
   Eigen::MatrixXd motion_;
   double step_ = StepRules::kFirst;
   int just_changed_ = -1, changes_ = 0;
-  std::vector<HatStart> grazings_;
 };
 
 }  // namespace
@@ -306,17 +270,15 @@ std::optional<Eigen::VectorXd> tangent_after_change(HatCurve& curve, int changed
   const auto place = std::find(pressing.begin(), pressing.end(), changed);
   const double rate =
       place != pressing.end() ? tangent[place - pressing.begin()] : curve.gap_rate(changed, tangent);
-  constexpr double kStill = 1e-13;
-  if (!(std::abs(rate) > kStill)) return std::nullopt;
+  if (!(std::abs(rate) > kRounding)) return std::nullopt;
   return rate > 0.0 ? tangent : Eigen::VectorXd(-tangent);
 }
 
-TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
-                    const FollowedCurves& followed) {
-  HatTracer tracer(family, start, limits, followed);
-  TracedBranch<HatStart> traced = tracer.run();
+TracedBranch<HatStart> trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
+                                 const FollowedCurves& followed) {
+  TracedBranch<HatStart> traced = HatTracer(family, start, limits, followed).run();
   leave_out_folds_of_grid(family.samples, traced.branch);
-  return {std::move(traced), tracer.take_grazings()};
+  return traced;
 }
 
 }  // namespace signorini

@@ -21,11 +21,6 @@ struct HatStart {
   [[nodiscard]] int periods() const { return multiple; }  ///< of the scene's order
 };
 
-/// A branch, its unknowns those of all nodes.
-struct TracedHat : TracedBranch<HatStart> {
-  std::vector<HatStart> grazings = {};  ///< where a motion without contact first touches, still without
-};
-
 /// Follows a curve by pseudo-arclength steps while the set of pressing nodes is the same; where a pressure or
 /// an open gap becomes zero, located to rounding, that node joins or leaves the set and the curve goes on
 /// with the new one: parametric pivoting. The parameter is the length, so that a set may be left in either
@@ -38,8 +33,10 @@ struct TracedHat : TracedBranch<HatStart> {
 /// N of itself are those of the grid, and left out.
 ///
 /// \param followed  may end the curve
-TracedHat trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
-                    const FollowedCurves& followed);
+/// \return the branch, its unknowns those of all nodes; `others` are where a motion without contact first
+///         touches, still without
+TracedBranch<HatStart> trace_hat(const HatFamily& family, const HatStart& start, const CurveLimits& limits,
+                                 const FollowedCurves& followed);
 
 /// The tangent of the curve of S where it is evaluated, on the side where a gap opens or a pressure grows.
 /// \param changed  a node that has joined S, or left it

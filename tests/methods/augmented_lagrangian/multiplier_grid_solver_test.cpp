@@ -21,8 +21,8 @@ GridSolution solve_with(const Problem& problem, int harmonics, double multiple, 
   const Eigen::VectorXd gap = contact_gaps(problem);
   const ProjectedLaw law{.constant = multiple * highest_dynamic_stiffness(receptance),
                          .multiplier_weight = Eigen::VectorXd::Ones(gap.size())};
-  return multiplier_grid_solver({.tolerance = 1e-8}, updates, plain)
-      ->solve({receptance, gap, law}, 8 * harmonics, {}, {}, work);
+  return multiplier_grid_solver({.tolerance = 1e-8}, updates, plain)({receptance, gap, law}, 8 * harmonics,
+                                                                     {}, {}, work);
 }
 
 int updates_told(const GridSolution& solution) {
@@ -89,8 +89,8 @@ TEST(MultiplierGridSolver, GoesOnThroughSoftPenaltiesFromAForceThatIsFarAway) {
                          .multiplier_weight = Eigen::VectorXd::Ones(1)};
   const auto solve = [&](const Eigen::MatrixXcd& previous, int limit, bool plain) {
     Work work;
-    return multiplier_grid_solver({.tolerance = 1e-8, .max_iterations = limit}, 150, plain)
-        ->solve({receptance, gap, law}, 160, previous, {}, work);
+    return multiplier_grid_solver({.tolerance = 1e-8, .max_iterations = limit}, 150, plain)(
+        {receptance, gap, law}, 160, previous, {}, work);
   };
   const GridSolution cold = solve({}, 0, false);
   ASSERT_TRUE(cold.solved) << cold.message;

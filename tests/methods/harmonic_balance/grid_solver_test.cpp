@@ -41,7 +41,7 @@ struct Scene {
   ProjectedLaw law = lipschitz_law(problem, {}, receptance);
 
   [[nodiscard]] GridSolution solve(const SolverSettings& settings, Work& work) const {
-    return lcp_grid_solver(settings)->solve({receptance, gap, law}, 320, {}, {}, work);
+    return lcp_grid_solver(settings)({receptance, gap, law}, 320, {}, {}, work);
   }
 };
 
@@ -81,7 +81,7 @@ TEST(LcpGridSolver, TakesNoNewtonStepFromItsOwnForces) {
   const ProjectedEquations equations{scene.receptance, scene.gap, scene.law};
   const SolverSettings newton{.solver = ComplementaritySolver::newton, .tolerance = 1e-9};
   Work again;
-  const GridSolution same = lcp_grid_solver(newton)->solve(equations, 320, pivoted.lambda, {}, again);
+  const GridSolution same = lcp_grid_solver(newton)(equations, 320, pivoted.lambda, {}, again);
   EXPECT_TRUE(same.solved) << same.message;
   EXPECT_EQ(again.iterations, 0);
 }

@@ -116,12 +116,11 @@ TEST(ContactFreeResponse, HasAPeriodAndNoContact) {
 }
 
 /// Solves on a grid from so many samples on, always with the same force; notes what it is asked.
-class SolverOnFineGrids final : public GridSolver {
+class SolverOnFineGrids {
  public:
   SolverOnFineGrids(int finest, bool finer_may_help) : fewest_(finest), finer_may_help_(finer_may_help) {}
-  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
-                                   const Eigen::MatrixXcd& previous, const Start& /*start*/,
-                                   Work& work) const override {
+  GridSolution operator()(const ProjectedEquations& equations, int samples, const Eigen::MatrixXcd& previous,
+                          const Start& /*start*/, Work& work) {
     asked.push_back(samples);
     warm.push_back(previous.size() > 0);
     work.pivots = work.pivots.value_or(0) + 10;
@@ -133,15 +132,16 @@ class SolverOnFineGrids final : public GridSolver {
             .message = "asked"};
   }
 
-  mutable std::vector<int> asked;
-  mutable std::vector<bool> warm;
+  std::vector<int> asked;
+  std::vector<bool> warm;
 
  private:
   int fewest_;
   bool finer_may_help_;
 };
 
-HarmonicSetup setup_with(const std::shared_ptr<const GridSolver>& solver,
+template <class Solver>
+HarmonicSetup setup_with(const std::shared_ptr<Solver>& solver,
                          const HarmonicOptions& options = {.harmonics = 10}) {
   // The gap is so wide that nothing touches: no force solves the equations.
   const Problem problem = test::to_problem({.frequency = 2.2, .gap = 3.0});
@@ -151,7 +151,7 @@ HarmonicSetup setup_with(const std::shared_ptr<const GridSolver>& solver,
            [](const ContactReceptance& level) {
              return ProjectedLaw{highest_dynamic_stiffness(level), Eigen::VectorXd::Ones(1)};
            },
-       .grid_solver = solver});
+       .grid_solver = std::ref(*solver)});
 }
 
 TEST(SolveOnGrids, RefinesUntilTheSolverConverges) {
@@ -185,17 +185,15 @@ TEST(SolveOnGrids, DoublesUpTo128SamplesPerHarmonicUnlessTheUserFixedThem) {
 }
 
 /// Claims to have solved with a force whose first harmonic does net work; notes the grids it is asked for.
-class WorkingForce final : public GridSolver {
- public:
-  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int samples,
-                                   const Eigen::MatrixXcd& /*previous*/, const Start& /*start*/,
-                                   Work& /*work*/) const override {
+struct WorkingForce {
+  GridSolution operator()(const ProjectedEquations& equations, int samples,
+                          const Eigen::MatrixXcd& /*previous*/, const Start& /*start*/, Work& /*work*/) {
     asked.push_back(samples);
     Eigen::MatrixXcd lambda = Eigen::MatrixXcd::Zero(equations.receptance.harmonics() + 1, 1);
     lambda(1, 0) = 0.5;
     return {.solved = true, .lambda = lambda, .message = "asked"};
   }
-  mutable std::vector<int> asked;
+  std::vector<int> asked;
 };
 
 TEST(SolveOnGrids, RefinesASampledIntegralUntilTheEnergyIdentityHoldsOrNoGridIsLeft) {

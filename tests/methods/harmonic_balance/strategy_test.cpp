@@ -21,11 +21,9 @@ namespace {
 const test::ImpactOscillator kStop{.damping = 0.1, .frequency = 2.2, .gap = 0.2, .restitution = 1.0};
 
 /// Never solves; notes on how many harmonics it was asked.
-class FailingSolver final : public GridSolver {
- public:
-  [[nodiscard]] GridSolution solve(const ProjectedEquations& equations, int /*samples*/,
-                                   const Eigen::MatrixXcd& /*previous*/, const Start& /*start*/,
-                                   Work& work) const override {
+struct FailingSolver {
+  GridSolution operator()(const ProjectedEquations& equations, int /*samples*/,
+                          const Eigen::MatrixXcd& /*previous*/, const Start& /*start*/, Work& work) {
     const ContactReceptance& receptance = equations.receptance;
     harmonics.push_back(receptance.harmonics());
     work.pivots = work.pivots.value_or(0) + 1;
@@ -33,17 +31,17 @@ class FailingSolver final : public GridSolver {
             .lambda = Eigen::MatrixXcd::Zero(receptance.harmonics() + 1, receptance.contacts()),
             .message = "failed"};
   }
-  mutable std::vector<int> harmonics;
+  std::vector<int> harmonics;
 };
 
-HarmonicMethodFor method_of(std::shared_ptr<const GridSolver> solver, bool open) {
+HarmonicMethodFor method_of(std::shared_ptr<FailingSolver> solver, bool open) {
   return [solver = std::move(solver), open](const Problem&) -> HarmonicMethod {
     return {.law_at =
                 [](const ContactReceptance& level) {
                   return ProjectedLaw{4.0 * highest_dynamic_stiffness(level),
                                       Eigen::VectorXd::Ones(level.contacts())};
                 },
-            .grid_solver = solver,
+            .grid_solver = std::ref(*solver),
             .solver_is_open = open};
   };
 }

@@ -111,13 +111,5 @@ TEST(SeriesCurve, IsNotDefinedAtNegativeFrequencies) {
   EXPECT_TRUE(curve.evaluate(curve.unknowns(Eigen::MatrixXcd::Zero(6, 1), 1.0)));
 }
 
-TEST(SeriesFamily, UnitsAreThoseOfTheScene) {
-  const SeriesFamily family = series_family(test::to_problem({.load = 3.0, .gap = 0.2}), 4.5, 1.5);
-  EXPECT_EQ(family.low, 1.5);
-  EXPECT_EQ(family.high, 4.5);
-  EXPECT_DOUBLE_EQ(family.frequency_unit, 1.0);
-  EXPECT_DOUBLE_EQ(family.displacement_unit, 3.0) << "the static deflection";
-}
-
 }  // namespace
 }  // namespace signorini::series_curve_test

@@ -7,7 +7,7 @@ namespace signorini::test {
 
 /// Of the Lipschitz or of the penalty form, from 1.5 to 4.5 rad/s.
 inline SeriesFamily family_of(const Problem& problem, int harmonics, bool penalty = false) {
-  SeriesFamily family = series_family(problem, 1.5, 4.5);
+  SeriesFamily family{curve_family(problem, 1.5, 4.5)};
   family.harmonics = harmonics;
   family.samples = 16 * harmonics;
   family.law_at = [problem, penalty](const ContactReceptance& receptance) {

@@ -26,7 +26,7 @@ Problem two_stops() {
 }
 
 SeriesFamily lipschitz_family(const Problem& problem, int harmonics) {
-  SeriesFamily family = series_family(problem, kFrom, kTo);
+  SeriesFamily family{curve_family(problem, kFrom, kTo)};
   family.harmonics = harmonics;
   family.samples = 16 * harmonics;
   family.law_at = [problem](const ContactReceptance& receptance) {

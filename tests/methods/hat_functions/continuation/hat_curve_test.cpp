@@ -45,7 +45,7 @@ TEST(HatCurve, DerivativesAreThoseOfDifferences) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> pressure(0.1, 1.0);
   for (const NodalRestitution& restitution : {NodalRestitution{}, NodalRestitution{0.8}}) {
-    HatFamily family = hat_family(test::to_problem(kStop), 1.5, 4.5);
+    HatFamily family{curve_family(test::to_problem(kStop), 1.5, 4.5)};
     family.samples = 16;
     family.restitution = restitution;
     HatCurve curve(family, 2);
@@ -71,7 +71,7 @@ TEST(HatCurve, DerivativesAreThoseOfDifferences) {
 }
 
 TEST(HatCurve, GapsAreThoseOfTheMotion) {
-  HatFamily family = hat_family(test::to_problem(kStop), 1.5, 4.5);
+  HatFamily family{curve_family(test::to_problem(kStop), 1.5, 4.5)};
   family.samples = 32;
   HatCurve curve(family, 1);
   curve.press({7});
@@ -123,11 +123,11 @@ TEST(HatTracer, PassesTheFoldOfTwoPeriodsOnASpring) {
 
 // Every point of a branch solves the complementarity problem: pressures and gaps are not negative.
 TEST(HatTracer, PointsAreSolutionsOfTheComplementarityProblem) {
-  HatFamily family = hat_family(sprung(100.0), 2.0, 4.0);
+  HatFamily family{curve_family(sprung(100.0), 2.0, 4.0)};
   family.samples = 64;
   HatCurve curve(family, 1);
   ASSERT_TRUE(curve.evaluate(Eigen::VectorXd::Constant(1, 4.0 / family.frequency_unit)));
-  const TracedHat traced = trace_hat(
+  const TracedBranch<HatStart> traced = trace_hat(
       family,
       {.multiple = 1, .pressing = {}, .x = curve.x(), .tangent = -Eigen::VectorXd::Ones(1), .origin = {}}, {},
       NoCurves());
