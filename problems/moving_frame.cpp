@@ -61,7 +61,6 @@ StopMotions by_harmonic(const std::vector<StopTerm>& terms) {
 
 // Each harmonic is a load on all coordinates.
 void require_few_harmonics(const StopMotions& motions, const Problem& problem) {
-  constexpr double kMostLoads = 1e7;
   if (static_cast<double>(motions.size()) * problem.size() <= kMostLoads) return;
   throw InvalidProblem(
       fmt::format("contact[{}].gap_term", motions.begin()->second.begin()->first),

@@ -17,7 +17,6 @@ namespace signorini {
 namespace {
 
 constexpr int kMaxSubharmonic = 64;
-constexpr int kMaxLoadHarmonic = 10000;
 constexpr int kMostOmegaPower = 2;
 
 void require(bool ok, const std::string& field, const std::string& found, const std::string& requirement) {
@@ -145,8 +144,8 @@ void check_forcing(const Problem& problem) {
     const ForceTerm& term = problem.force[i];
     const std::string field = fmt::format("forcing.term[{}]", i);
     require_dof(term.dof, problem, field + ".dof");
-    require(term.harmonic >= 0 && term.harmonic <= kMaxLoadHarmonic, field + ".harmonic",
-            std::to_string(term.harmonic), fmt::format("must be a whole number, 0..{}", kMaxLoadHarmonic));
+    require(term.harmonic >= 0 && term.harmonic <= kMostLoadHarmonic, field + ".harmonic",
+            std::to_string(term.harmonic), fmt::format("must be a whole number, 0..{}", kMostLoadHarmonic));
     require_finite(term.cos, field + ".cos");
     require_finite(term.sin, field + ".sin");
     require_magnitude(std::abs(term.cos), field + ".cos");
@@ -163,8 +162,8 @@ void check_frame(const Problem& problem) {
     const FrameTerm& term = problem.frame[i];
     const std::string field = fmt::format("frame[{}]", i);
     require_dof(term.dof, problem, field + ".dof");
-    require(term.harmonic >= 1 && term.harmonic <= kMaxLoadHarmonic, field + ".harmonic",
-            std::to_string(term.harmonic), fmt::format("must be a whole number, 1..{}", kMaxLoadHarmonic));
+    require(term.harmonic >= 1 && term.harmonic <= kMostLoadHarmonic, field + ".harmonic",
+            std::to_string(term.harmonic), fmt::format("must be a whole number, 1..{}", kMostLoadHarmonic));
     require_finite(term.cos, field + ".cos");
     require_finite(term.sin, field + ".sin");
     require_magnitude(std::hypot(term.cos, term.sin), field);

@@ -25,6 +25,9 @@ class InvalidProblem : public std::invalid_argument {
   std::string requirement;  ///< what is required instead
 };
 
+/// Highest harmonic of a load, and of the motion of a stop.
+inline constexpr int kMostLoadHarmonic = 10000;
+
 /// Whether M, K and the symmetric part of D have to be factorised to know that they are what they must be.
 /// Sums of finite-element matrices are, whatever the mesh: M and K are semi-definite, and a motion without
 /// strain energy carries mass. Factorising them would cost more than everything else about a large scene.

@@ -18,8 +18,6 @@ namespace signorini {
 
 namespace {
 
-constexpr int kSchema = 1;
-
 std::string read_name(const SceneField& field) {
   constexpr std::string_view kRequirement =
       "must be a name in lower-kebab-case, such as \"sdof-stop\", of at most 64 characters";
@@ -34,9 +32,7 @@ std::string read_optional_text(const SceneField& field) {
 
 std::vector<std::string> read_tags(const SceneField& field) {
   std::vector<std::string> tags;
-  if (!field.given()) return tags;
-  constexpr std::string_view kRequirement = "must be a list of words; left out if there is none";
-  for (const SceneField& item : field.items(kRequirement)) {
+  for (const SceneField& item : field.items_or_none("must be a list of words; left out if there is none")) {
     tags.push_back(item.text("must be a word"));
     if (tags.back().empty()) item.refuse("must be a word");
   }
@@ -44,7 +40,7 @@ std::vector<std::string> read_tags(const SceneField& field) {
 }
 
 SceneHeader read_header(const SceneField& document, SceneVariant variant) {
-  std::ignore = document["schema"].whole("must be 1", kSchema, kSchema);  // first: others may have other keys
+  std::ignore = document["schema"].whole("must be 1", 1, 1);  // first: others may have other keys
   document.allow_only(
       {"schema", "name", "title", "reference", "tags", "system", "forcing", "base", "contact", "law"},
       "must be a table");

@@ -34,15 +34,14 @@ std::optional<TableLaws> laws_of_table(const SceneField& table, std::size_t cont
   const SceneField restitution = table["restitution"], penalty = table["penalty"],
                    massless = table["massless"],
                    damper = table[table["damper"].given() ? "damper" : "damping"];
-  if (penalty.given() && restitution.given()) penalty.refuse("must be absent: restitution is given");
+  if (restitution.given()) table.forbid({"penalty"}, "restitution is given");
   if (damper.given() && !penalty.given())
     damper.refuse("must be absent: no penalty, a spring beside it, is given");
   if (massless.given()) {
     const auto* truth = std::get_if<bool>(&massless.node().value);
     if (truth == nullptr || !*truth) massless.refuse("must be true, or left out");
-    if (restitution.given() || penalty.given())
-      massless.refuse(
-          fmt::format("must be absent: {} is given", penalty.given() ? "penalty" : "restitution"));
+    if (penalty.given()) table.forbid({"massless"}, "penalty is given");
+    if (restitution.given()) table.forbid({"massless"}, "restitution is given");
     return TableLaws{.laws = std::vector<ContactLaw>(contacts, Massless{})};
   }
   TableLaws result;
@@ -125,8 +124,7 @@ SceneField law_field_as_written(const SceneField& document, const std::vector<in
   const std::string own_key = key == "damper" && !own[key].given() ? "damping" : key;
   if (own[own_key].given()) return among(own, own_key, contact - first);
   if (!document["law"].given() && std::ranges::any_of(tables, [&](int other) {
-        const SceneField at = document.at(fmt::format("contact[{}]", other));
-        return at["restitution"].given() || at["penalty"].given() || at["massless"].given();
+        return document.at(fmt::format("contact[{}]", other)).has_any({"restitution", "penalty", "massless"});
       }))
     return own[key];
   return among(document["law"], key == "damper" ? "damping" : key, contact);
