@@ -2,7 +2,6 @@
 // The steps between a scene file and its Problem, for readers that change the document in between.
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "problems/files/toml_tree.hpp"

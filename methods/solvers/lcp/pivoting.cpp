@@ -151,8 +151,7 @@ class LemkePath {
   /// if it is a w. False if they are not finite.
   bool find_direction() {
     if (driving_z_) {
-      lcp_.matrix->gather_column(basis_.rows(), pair_, rate_.basic);
-      rate_.basic = -rate_.basic;
+      rate_.basic = -lcp_.matrix->submatrix(basis_.rows(), {&pair_, 1});
     } else {
       rate_.basic.setZero(std::ssize(basis_.rows()));
       rate_.basic[basis_.position_of_row(pair_)] = 1.0;

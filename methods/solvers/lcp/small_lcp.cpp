@@ -28,12 +28,6 @@ class DenseMatrix final : public LcpMatrix {
       out += weights[k] * matrix_.col(columns[k]).segment(first, out.size());
   }
   [[nodiscard]] std::unique_ptr<const ColumnBounds> column_bounds() const override { return nullptr; }
-  void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override {
-    out = matrix_.col(column)(rows);
-  }
-  void gather_row(int row, std::span<const int> columns, double* out) const override {
-    for (std::size_t k = 0; k < columns.size(); ++k) out[k] = matrix_(row, columns[k]);
-  }
   [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,
                                           std::span<const int> columns) const override {
     return matrix_(rows, columns);
