@@ -119,7 +119,7 @@ void LemkeBasis::combine(const Eigen::VectorXd& basic, Combination& result) cons
 }
 
 double longest_step_of_basic(const Eigen::VectorXd& value, const Eigen::VectorXd& rate, double scale) {
-  const double slack = kPathSlack * std::max(value.lpNorm<Eigen::Infinity>(), scale);
+  const double slack = kSumRounding * std::max(value.lpNorm<Eigen::Infinity>(), scale);
   const double least = least_pivot(rate.lpNorm<Eigen::Infinity>());
   double longest = kInfinity;
   for (Eigen::Index k = 0; k < value.size(); ++k) {

@@ -13,10 +13,9 @@ namespace signorini {
 
 namespace {
 
-// Pivots between two recomputations of the basic values: their increments gather rounding, while the factors,
-// updated by orthogonal rotations, stay accurate.
+// Pivots between two looks at the clock, and between two recomputations of the basic values: their increments
+// gather rounding, while the factors, updated by orthogonal rotations, stay accurate.
 constexpr long kRefresh = 64;
-constexpr long kClock = 64;  // pivots between two looks at the clock
 
 /// z with the basic ones at their places, none below zero, and zero elsewhere.
 Eigen::VectorXd spread(const std::vector<int>& places, const Eigen::VectorXd& basic, Eigen::Index size) {
@@ -57,7 +56,7 @@ class LemkePath {
     if (warm && start_warm()) return conclude();
     while (result_.pivots < limit_ &&
            std::ssize(basis_.rows()) <= most_positive_ + 1) {  // one is that of tau
-      if (result_.pivots % kClock == 0 && settings_.deadline.passed())
+      if (result_.pivots % kRefresh == 0 && settings_.deadline.passed())
         return finish(LcpStatus::interrupted, open);
       if (since_refresh_++ % kRefresh == 0) recompute();
       if (!find_direction()) return finish(LcpStatus::breakdown, open);
