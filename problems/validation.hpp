@@ -49,4 +49,8 @@ enum class Definiteness { to_be_checked, by_construction, not_judged };
 /// \throws InvalidProblem on the first violation
 void validate(const Problem& problem, Definiteness definiteness = Definiteness::to_be_checked);
 
+/// Checks the normal of a contact on a structure of `size` coordinates: each named once, numbers finite, one
+/// of them not zero. \param field  in messages, "contact[1].normal" \throws InvalidProblem
+void validate_normal(const std::vector<std::pair<int, double>>& normal, int size, const std::string& field);
+
 }  // namespace signorini

@@ -66,14 +66,10 @@ std::vector<Follower> followers(const Beam& beam) {
 SparseMatrix in_two_planes(const SparseMatrix& A) {
   Entries entries;
   const auto place = [](int i, int plane) { return 4 * (i / 2) + 2 * plane + i % 2; };
-  for (int column = 0; column < A.outerSize(); ++column) {
-    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
-      for (int plane = 0; plane < 2; ++plane) {
-        entries.emplace_back(place(static_cast<int>(entry.row()), plane), place(column, plane),
-                             entry.value());
-      }
-    }
-  }
+  for_each_entry(A, [&](int row, int column, double value) {
+    for (int plane = 0; plane < 2; ++plane)
+      entries.emplace_back(place(row, plane), place(column, plane), value);
+  });
   return from_entries(entries, 2 * A.rows());
 }
 

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 #include "problems/files/input_file.hpp"
 #include "problems/files/kebab_case.hpp"
 #include "problems/files/toml_tree.hpp"
-#include "problems/scene/scene_document.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
 #include "problems/validation.hpp"
@@ -101,17 +99,6 @@ SceneField as_written(const SceneField& document, const ReadScene& scene, const 
   return system_field_as_written(document, path);
 }
 
-// Every coordinate with a part in some contact, once.
-std::vector<int> contact_coordinates(const Problem& problem) {
-  std::set<int> coordinates;
-  for (const Contact& contact : problem.contacts) {
-    for (const auto& [dof, coefficient] : contact.normal) {
-      if (coefficient != 0.0) coordinates.insert(dof);
-    }
-  }
-  return {coordinates.begin(), coordinates.end()};
-}
-
 void mark_derived(ReadScene& scene, std::string origin) {
   scene.derived_terms.emplace_back(static_cast<int>(scene.problem.force.size()), std::move(origin));
 }
@@ -168,7 +155,7 @@ void read_scene(const SceneField& document, SceneVariant variant, ReadScene& sce
   const std::vector<DampedStop> damped = read_laws(document, contacts);
   problem.contacts = contacts.things;
   scene.contact_tables = contacts.tables;
-  problem.structure = system.assemble(contact_coordinates(problem));
+  problem.structure = system.assemble(contact_coordinates(problem.contacts));
   read_stops(document, system, contacts, damped, scene);
   const double omega = problem.frequency;
   problem = at_frequency(std::move(problem), omega);

@@ -202,12 +202,11 @@ SystemDescription read_shaft(const SceneField& system) {
   shaft.polar_inertia = read_polar_inertia(system["disc_polar_inertia"], shaft.disc_inertia);
   const bool synchronous = read_spin(system["spin"], shaft.spin);
   const int size = 4 * (last + 1);
-  auto undamped = std::make_shared<Structure>(assemble(shaft));
-  std::vector<std::string> notices;
-  std::vector<int> held = hold_supports(*undamped, notices);
+  const auto undamped = std::make_shared<Structure>(assemble(shaft));
   SystemDescription description = damped_structure(
-      shaft, [undamped = std::move(undamped)](const std::vector<int>&) { return *undamped; },
-      read_damping(system["damping"], size), size);
+      shaft, [undamped](const std::vector<int>&) { return *undamped; }, read_damping(system["damping"], size),
+      size);
+  description.held = hold_supports(*undamped, description.notices);
   if (synchronous) {
     shaft.spin = 1.0;
     description.assemble = [standing = std::move(description.assemble),
@@ -217,8 +216,6 @@ SystemDescription read_shaft(const SceneField& system) {
       return structure;
     };
   }
-  description.held = std::move(held);
-  description.notices = std::move(notices);
   return description;
 }
 

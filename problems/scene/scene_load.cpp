@@ -114,8 +114,8 @@ void add_sampled(const SampledLoad& sampled, const std::vector<std::pair<int, do
 }  // namespace
 
 int read_int(const SceneField& field, int otherwise) {
-  constexpr int kMost = std::numeric_limits<int>::max();
-  return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
+  using Limits = std::numeric_limits<int>;
+  return field.whole_or(otherwise, "must be a whole number", Limits::min() + 1, Limits::max());
 }
 
 SceneField frequency_field(const SceneField& table) {

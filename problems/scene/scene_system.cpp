@@ -40,12 +40,9 @@ SystemDescription independent_of_contacts(std::shared_ptr<const Structure> struc
 template <class Model>
 SystemDescription assembled(const Model& model) {
   const auto structure = std::make_shared<Structure>(assemble(model));
-  std::vector<std::string> notices;
-  std::vector<int> held = hold_supports(*structure, notices);
   SystemDescription description = independent_of_contacts(structure);
   description.layout = model;
-  description.held = std::move(held);
-  description.notices = std::move(notices);
+  description.held = hold_supports(*structure, description.notices);
   return description;
 }
 
@@ -108,7 +105,6 @@ constexpr std::array kMatrixKeys{"mass",
                                  "circulatory",
                                  "gyroscopic_per_speed",
                                  "circulatory_per_speed"};
-constexpr double kNoise = 1e-12;  // of the largest entry
 
 NamedFile read_matrix_text(const SceneField& field) {
   constexpr std::size_t kLargestMatrixFile = std::size_t{1} << 29U;  // bytes: some 20 million entries
@@ -179,18 +175,17 @@ class MatrixFiles {
 
   // Coordinates whose diagonal is below 0, and all of whose entries are rounding: zeros that were computed.
   void drop_noise(std::string_view key, SparseMatrix& A) {
-    const double least = -kNoise * largest_entry(A);
+    const double least = -kEntryRounding * largest_entry(A);
     const Eigen::VectorXd diagonal = A.diagonal();
     std::vector<bool> noise(static_cast<std::size_t>(A.rows()));
     for (int i = 0; i < A.rows(); ++i)
       noise[static_cast<std::size_t>(i)] = diagonal(i) < 0.0 && diagonal(i) >= least;
     if (std::ranges::find(noise, true) == noise.end()) return;
     const auto is_noise = [&](Eigen::Index i) { return noise[static_cast<std::size_t>(i)]; };
-    for (int column = 0; column < A.outerSize(); ++column) {
-      for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry)
-        if (std::abs(entry.value()) > -least)
-          noise[static_cast<std::size_t>(entry.row())] = noise[static_cast<std::size_t>(column)] = false;
-    }
+    for_each_entry(A, [&](int row, int column, double value) {
+      if (std::abs(value) > -least)
+        noise[static_cast<std::size_t>(row)] = noise[static_cast<std::size_t>(column)] = false;
+    });
     for (int i = 0; i < A.rows(); ++i)
       if (is_noise(i))
         notices_.push_back(
@@ -241,7 +236,8 @@ SparseMatrix read_skew_matrix(const SceneField& system, const char* key, MatrixF
                               Eigen::Index size) {
   if (!system[key].given()) return {size, size};
   SparseMatrix skew = files.read(key, size);
-  if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <= kNoise * largest_entry(skew)))
+  if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <=
+        kEntryRounding * largest_entry(skew)))
     system[key].refuse("matrix with a symmetric part",
                        "must be skew-symmetric to 1e-12 of its largest entry");
   return skew;
