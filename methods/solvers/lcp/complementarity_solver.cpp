@@ -156,13 +156,10 @@ LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings, const 
 }
 
 LcpResult solve_by_newton_from(const Lcp& lcp, const SolverSettings& settings, Eigen::VectorXd y) {
-  constexpr int kSteps = 100;
   NormalMap equations(lcp);
-  const NewtonKrylovResult newton =
-      solve_newton_krylov(equations, std::move(y), settings.tolerance,
-                          {.max_steps = settings.max_iterations > 0 ? settings.max_iterations : kSteps,
-                           .max_halvings = 20,
-                           .deadline = settings.deadline});
+  DampedNewtonLimits limits{.deadline = settings.deadline};
+  if (settings.max_iterations > 0) limits.max_steps = settings.max_iterations;
+  const NewtonKrylovResult newton = solve_newton_krylov(equations, std::move(y), settings.tolerance, limits);
   return {.status = status_of(newton.end),
           .z = newton.unknowns.cwiseMax(0.0),
           .residual = equations.last_natural_residual(),
