@@ -179,8 +179,7 @@ bool has_springs(const Problem& problem) { return has_law<Spring>(problem); }
 
 Eigen::VectorXd contact_gaps(const Problem& problem) {
   Eigen::VectorXd gaps(problem.contact_count());
-  std::transform(problem.contacts.begin(), problem.contacts.end(), gaps.begin(),
-                 [](const Contact& contact) { return contact.gap; });
+  std::ranges::transform(problem.contacts, gaps.begin(), &Contact::gap);
   return gaps;
 }
 

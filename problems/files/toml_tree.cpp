@@ -151,8 +151,7 @@ struct Printer {
 const TomlNode* TomlNode::find(std::string_view key) const {
   const auto* table = std::get_if<TomlTable>(&value);
   if (table == nullptr) return nullptr;
-  const auto entry = std::find_if(table->begin(), table->end(),
-                                  [&](const TomlEntry& candidate) { return candidate.key == key; });
+  const auto entry = std::ranges::find(*table, key, &TomlEntry::key);
   return entry == table->end() ? nullptr : &entry->value;
 }
 

@@ -57,8 +57,7 @@ std::vector<fs::path> shipped_files(const char* folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / folder, none)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end(),
-            [](const fs::path& a, const fs::path& b) { return a.stem().string() < b.stem().string(); });
+  std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem().string(); });
   return files;
 }
 

@@ -50,8 +50,7 @@ void write_values(TomlNode& document, const SceneField& values, std::size_t leve
 
 TomlNode take_out(TomlNode& document, std::string_view key) {
   auto& entries = std::get<TomlTable>(document.value);
-  const auto entry = std::find_if(entries.begin(), entries.end(),
-                                  [&](const TomlEntry& candidate) { return candidate.key == key; });
+  const auto entry = std::ranges::find(entries, key, &TomlEntry::key);
   TomlNode value = std::move(entry->value);
   entries.erase(entry);
   return value;
@@ -160,8 +159,7 @@ std::optional<FamilyLevel> choose_level(TomlNode& document, const std::string& f
   }
   asked.allow_only({"parameter", "levels", "values"}, "must be a table with parameter, levels and values");
   const std::vector<double> levels = read_levels(asked);
-  const auto chosen =
-      std::find_if(levels.begin(), levels.end(), [&](double level) { return means(label, level); });
+  const auto chosen = std::ranges::find_if(levels, [&](double level) { return means(label, level); });
   if (chosen == levels.end()) {
     asked["levels"].refuse(fmt::format("must hold the level asked for, {}, as in NAME@{}",
                                        label.empty() ? "none" : label, level_label(levels.front())));

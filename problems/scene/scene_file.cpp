@@ -90,11 +90,11 @@ SceneField as_written(const SceneField& document, const ReadScene& scene, const 
   if (path.starts_with("frame[")) return document["contact"];
   if (path.starts_with(kContact)) {
     const std::string key = path.substr(path.find(']') + 1);
-    if (key == ".restitution" || key == ".penalty" || key == ".damper")
-      return law_field_as_written(document, scene.contact_tables, std::stoul(path.substr(kContact.size())),
-                                  key.substr(1));
+    if (key != ".restitution" && key != ".penalty" && key != ".damper")
+      return document.at(with_table(path, kContact, scene.contact_tables));
+    return law_field_as_written(document, scene.contact_tables, std::stoul(path.substr(kContact.size())),
+                                key.substr(1));
   }
-  if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
   if (path.starts_with("forcing.term[")) return document.at(origin_of_term(scene, path));
   return system_field_as_written(document, path);
 }
