@@ -104,18 +104,13 @@ int LemkeBasis::position_of_tau() const {
 }
 
 void LemkeBasis::combine(const Eigen::VectorXd& basic, Combination& result) const {
-  result.columns.clear();
-  result.weights.clear();
-  result.cover = 0.0;
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const double weight = basic[static_cast<Eigen::Index>(k)];
-    if (columns_[k] == kTau) {
-      result.cover = weight;
-      continue;
-    }
-    result.columns.push_back(columns_[k]);
-    result.weights.push_back(weight);
-  }
+  result.columns = columns_;
+  result.weights.assign(basic.begin(), basic.end());
+  const int tau = position_of_tau();
+  result.cover = tau < 0 ? 0.0 : basic[tau];
+  if (tau < 0) return;
+  result.columns.erase(result.columns.begin() + tau);
+  result.weights.erase(result.weights.begin() + tau);
 }
 
 double longest_step_of_basic(const Eigen::VectorXd& value, const Eigen::VectorXd& rate, double scale) {
