@@ -30,6 +30,16 @@ struct Room {
   int least_by = 0, most_by = 0;  // contacts
 };
 
+std::vector<Contact> chosen(const std::vector<Contact>& contacts, const Stops& stops) {
+  std::vector<Contact> result;
+  for (const int stop : stops) result.push_back(contacts[static_cast<std::size_t>(stop)]);
+  return result;
+}
+
+bool leaves_room_about_zero(const std::vector<Contact>& contacts) {
+  return std::ranges::all_of(contacts, [](const Contact& contact) { return contact.gap > 0.0; });
+}
+
 Normal nonzero(const Contact& contact) {
   Normal normal = contact.normal;
   std::erase_if(normal, [](const auto& entry) { return entry.second == 0.0; });
@@ -62,6 +72,8 @@ std::optional<StopConflict> conflict_along_a_line(const std::vector<Contact>& co
     const double rounding = kRoundingOfSum * std::max(std::abs(room.least), std::abs(room.most));
     if (!std::isfinite(rounding) || room.most - room.least > rounding) continue;
     return StopConflict{.contact = j,
+                        .key = "gap",
+                        .found = contact.gap,
                         .requirement = fmt::format(
                             "must leave room: contact {} holds its coordinate at {:g} or less, contact "
                             "{} at {:g} or more",
@@ -113,11 +125,11 @@ class StopGraph {
     }
   }
 
-  /// What is left, in groups that share no coordinate; taken out of the graph.
-  [[nodiscard]] std::vector<Stops> take_groups() {
-    std::vector<Stops> groups;
-    while (!normals_.empty()) groups.push_back(take_group(normals_.begin()->first));
-    return groups;
+  /// What is left, rising.
+  [[nodiscard]] Stops left() const {
+    Stops stops;
+    for (const auto& [stop, normal] : normals_) stops.push_back(stop);
+    return stops;
   }
 
  private:
@@ -126,24 +138,6 @@ class StopGraph {
     int above = 0, below = 0;  // how many still do, on each side
     int& on_side(double coefficient) { return coefficient > 0.0 ? above : below; }
   };
-
-  Stops take_group(int first) {
-    Stops group;
-    Stops open{first};
-    while (!open.empty()) {
-      const auto found = normals_.find(open.back());
-      open.pop_back();
-      if (found == normals_.end()) continue;
-      group.push_back(found->first);
-      for (const auto& [dof, coefficient] : found->second) {
-        const Stops neighbours = std::exchange(coordinates_[dof].stops, {});
-        open.insert(open.end(), neighbours.begin(), neighbours.end());
-      }
-      normals_.erase(found);
-    }
-    std::ranges::sort(group);
-    return group;
-  }
 
   std::map<int, Normal> normals_;  // of the stops that are left
   std::map<int, Coordinate> coordinates_;
@@ -189,11 +183,12 @@ struct GroupEquations {
   Eigen::MatrixXd W;  // coordinates x stops
   Eigen::VectorXd g;  // stops
 
-  GroupEquations(const std::vector<Contact>& contacts, const Stops& group, const std::map<int, int>& rows)
-      : W(Eigen::MatrixXd::Zero(std::ssize(rows), std::ssize(group))), g(std::ssize(group)) {
+  GroupEquations(const std::vector<Contact>& group, const std::vector<int>& dofs)
+      : W(Eigen::MatrixXd::Zero(std::ssize(dofs), std::ssize(group))), g(std::ssize(group)) {
     for (Eigen::Index j = 0; j < g.size(); ++j) {
-      const Contact& contact = contacts[static_cast<std::size_t>(group[static_cast<std::size_t>(j)])];
-      for (const auto& [dof, coefficient] : nonzero(contact)) W(rows.at(dof), j) = coefficient;
+      const Contact& contact = group[static_cast<std::size_t>(j)];
+      for (const auto& [dof, coefficient] : nonzero(contact))
+        W(std::ranges::lower_bound(dofs, dof) - dofs.begin(), j) = coefficient;
       g[j] = contact.gap;
     }
     for (Eigen::Index i = 0; i < W.rows(); ++i) W.row(i) /= W.row(i).cwiseAbs().maxCoeff();
@@ -218,28 +213,18 @@ struct GroupEquations {
   }
 };
 
-std::map<int, int> rows_of(const std::vector<Contact>& contacts, const Stops& group) {
-  std::map<int, int> rows;
-  for (const int stop : group) {
-    for (const auto& [dof, coefficient] : nonzero(contacts[static_cast<std::size_t>(stop)])) rows[dof] = 0;
-  }
-  int row = 0;
-  for (auto& [dof, number] : rows) number = row++;
-  return rows;
-}
-
-// The stops of a group that exclude each other; none where it leaves room or is too large.
-Stops contradiction(const std::vector<Contact>& contacts, const Stops& group) {
-  const auto open = [&](int stop) { return contacts[static_cast<std::size_t>(stop)].gap > 0.0; };
-  if (std::ranges::all_of(group, open) || group.size() > kMostStops) return {};
-  const std::map<int, int> rows = rows_of(contacts, group);
-  if (std::ssize(rows) > kMostRows) return {};
-  const GroupEquations equations(contacts, group, rows);
+// The stops of a group that exclude each other, by their places in it; none where it leaves room or is too
+// large.
+Stops contradiction(const std::vector<Contact>& stops) {
+  if (leaves_room_about_zero(stops) || stops.size() > kMostStops) return {};
+  const std::vector<int> dofs = contact_coordinates(stops);
+  if (std::ssize(dofs) > kMostRows) return {};
+  const GroupEquations equations(stops, dofs);
   for (const double margin : {0.0, kNearer}) {
     const Eigen::VectorXd y = equations.certificate(margin);
     Stops found;
     for (Eigen::Index j = 0; j < y.size(); ++j) {
-      if (y[j] > 0.0) found.push_back(group[static_cast<std::size_t>(j)]);
+      if (y[j] > 0.0) found.push_back(static_cast<int>(j));
     }
     if (!found.empty()) return found;
   }
@@ -297,6 +282,8 @@ std::optional<StopConflict> restitution_conflict(const std::vector<Contact>& con
     if (rival == stops.end()) continue;
     return StopConflict{
         .contact = rival->contact,
+        .key = "restitution",
+        .found = rival->e,
         .requirement = fmt::format(
             "must be {:g} as contact {} has it, or its gap another one: contacts {} and {} stop the "
             "same motion at the same place, and Newton's law of impact takes one restitution",
@@ -310,16 +297,21 @@ std::optional<StopConflict> stop_conflict(std::vector<Contact> contacts) {
   int own = std::numeric_limits<int>::max();
   for (Contact& contact : contacts)
     if (std::holds_alternative<Spring>(contact.law)) contact = {.normal = {{own--, 1.0}}, .gap = 1.0};
-  if (std::ranges::all_of(contacts, [](const Contact& contact) { return contact.gap > 0.0; })) return {};
+  if (leaves_room_about_zero(contacts)) return {};
   Rooms rooms;
   if (auto conflict = conflict_along_a_line(contacts, rooms)) return conflict;
   StopGraph graph(contacts, nearest_stops(rooms));
   graph.retreat();
-  for (const Stops& group : graph.take_groups()) {
-    const Stops stops = contradiction(contacts, group);
+  const Stops left = graph.left();
+  const std::vector<Contact> of_left = chosen(contacts, left);
+  for (const Stops& group : contact_groups(of_left)) {
+    Stops stops = contradiction(chosen(of_left, group));
     if (stops.empty()) continue;
+    for (int& stop : stops) stop = left[static_cast<std::size_t>(group[static_cast<std::size_t>(stop)])];
     return StopConflict{
         .contact = stops.back(),
+        .key = "gap",
+        .found = contacts[static_cast<std::size_t>(stops.back())].gap,
         .requirement = fmt::format("must leave room: contacts {} exclude each other", listed(stops))};
   }
   return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problems/problem.hpp"
@@ -12,7 +13,9 @@ namespace signorini {
 /// Stops that exclude or contradict each other.
 struct StopConflict {
   int contact = 0;               ///< one of them, by its number
-  std::string requirement = {};  ///< what is required of its gap or law, with the numbers of all of them
+  std::string_view key = {};     ///< what of it is refused, "gap" or "restitution"
+  double found = 0.0;            ///< the value of that, [m] or [-]
+  std::string requirement = {};  ///< what is required of it, with the numbers of all of them
 };
 
 /// Looks for rigid stops that leave no room, where they must: the admissible set {u : w_j^T u <= g_j} has an

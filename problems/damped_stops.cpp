@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <string>
 
 #include "problems/validation.hpp"
@@ -22,24 +20,9 @@ void require_positive(double value, const char* key, int contact, const std::str
                        fmt::format("must be a positive number [{}]", unit));
 }
 
-// What validate() will not see once the contact acts on the face.
-void require_direction(const DampedStop& stop) {
-  const std::string field = fmt::format("contact[{}].normal", stop.contact);
-  std::set<int> seen;
-  for (const auto& [dof, coefficient] : stop.normal) {
-    if (!seen.insert(dof).second)
-      throw InvalidProblem(field, fmt::format("coordinate {} twice", dof), "must name each coordinate once");
-  }
-  if (std::ranges::none_of(stop.normal, [](const auto& entry) { return entry.second != 0.0; }))
-    throw InvalidProblem(field, "zero vector", "needs a nonzero coefficient");
-}
-
 // `A`, larger by the faces, and what is added to it.
 SparseMatrix extended(const SparseMatrix& A, int size, Triplets added) {
-  for (int column = 0; column < A.outerSize(); ++column) {
-    for (SparseMatrix::InnerIterator it(A, column); it; ++it)
-      added.emplace_back(static_cast<int>(it.row()), column, it.value());
-  }
+  for_each_entry(A, [&](int row, int column, double value) { added.emplace_back(row, column, value); });
   SparseMatrix result(size, size);
   result.setFromTriplets(added.begin(), added.end());
   return result;
@@ -63,7 +46,8 @@ void damp_stops(Problem& problem, const std::vector<DampedStop>& stops) {
   Triplets springs, dampers;
   for (std::size_t j = 0; j < stops.size(); ++j) {
     const DampedStop& stop = stops[j];
-    require_direction(stop);
+    // What validate() will not see once the contact acts on the face.
+    validate_normal(stop.normal, first, fmt::format("contact[{}].normal", stop.contact));
     require_positive(stop.stiffness, "penalty", stop.contact, "N/m");
     require_positive(stop.damping, "damper", stop.contact, "N s/m");
     const int face = first + static_cast<int>(j);

@@ -15,20 +15,9 @@ namespace signorini {
 
 namespace {
 
-constexpr double kAsymmetry = 1e-12;  // of the largest entry
 constexpr double kCurvature = 1e-10;  // of the unit diagonal
-constexpr double kMargin = 1e-13;     // of the unit diagonal
 constexpr int kLarge = 2000;          // coordinates from which nested dissection and supernodes pay
 constexpr int kFull = 200000;         // entries from which they do as well: a dense matrix of 450 rows
-
-template <class Visit>
-void for_each_entry(const SparseMatrix& A, Visit visit) {
-  for (int column = 0; column < A.outerSize(); ++column) {
-    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
-      visit(static_cast<int>(entry.row()), column, entry.value());
-    }
-  }
-}
 
 // The lower triangle of E A E + shift I, E = diag(a_ii)^{-1/2}. Coordinates without diagonal are left out:
 // their diagonal is 1 + shift.
@@ -53,7 +42,7 @@ SparseMatrix lower_triangle_scaled(const SparseMatrix& A, const Eigen::VectorXd&
 // Smallest pivot of E A E + shift I, E = diag(a_ii)^{-1/2}. Coordinates without diagonal are left out (their
 // pivot is 1 + shift); -1 if they are coupled to anything or if the factorisation breaks down.
 double smallest_pivot(const SparseMatrix& A, double shift) {
-  const double rounding = kAsymmetry * largest_entry(A);
+  const double rounding = kEntryRounding * largest_entry(A);
   const Eigen::VectorXd diagonal = A.diagonal();
   if ((diagonal.array() < -rounding).any()) return -1.0;
   bool coupled_to_nothing = true;
@@ -78,9 +67,6 @@ bool is_dominated_by_diagonal(const SparseMatrix& A) {
   });
   return (surplus.array() >= 0.0).all();
 }
-
-// Entries of D - alpha M - beta K, relative to the largest of D, that count as rounding.
-constexpr double kProportional = 1e-12;
 
 /// M, K and D over powers of two near their largest entries, which rounds nothing, and what sums over all
 /// places say.
@@ -180,7 +166,7 @@ bool is_symmetric(const SparseMatrix& A) {
   const auto end = [&](int column) {
     return A.isCompressed() ? begin[column + 1] : begin[column] + A.innerNonZeroPtr()[column];
   };
-  const double rounding = kAsymmetry * largest_entry(A);
+  const double rounding = kEntryRounding * largest_entry(A);
   bool symmetric = !std::isnan(rounding);
   const auto compare = [&](double a, double b) { symmetric = symmetric && std::abs(a - b) <= rounding; };
   std::vector<int> next(begin, begin + A.cols());  // the first entry of each column without partner yet
@@ -203,7 +189,7 @@ bool is_semidefinite(const SparseMatrix& A) {
 }
 
 bool is_definite(const SparseMatrix& A) {
-  return (A.diagonal().array() > 0.0).all() && smallest_pivot(A, 0.0) > kMargin;
+  return (A.diagonal().array() > 0.0).all() && smallest_pivot(A, 0.0) > kDefinitePivot;
 }
 
 SparseMatrix combination(const ProportionalDamping& factors, const SparseMatrix& M, const SparseMatrix& K) {
@@ -232,7 +218,7 @@ std::optional<ProportionalDamping> proportional_damping(const SparseMatrix& M, c
   const ScaledTriple scaled(M, K, D);
   const auto [share, rest] = scaled.nearest_combination();
   const double dampers = largest_entry(D);
-  if (!share.allFinite() || !(rest * scaled.scale(2) <= kProportional * dampers) || !is_symmetric(K))
+  if (!share.allFinite() || !(rest * scaled.scale(2) <= kEntryRounding * dampers) || !is_symmetric(K))
     return std::nullopt;
   return without_rounding({.alpha = share[0] * (scaled.scale(2) / scaled.scale(0)),
                            .beta = share[1] * (scaled.scale(2) / scaled.scale(1))},

@@ -7,6 +7,9 @@
 
 namespace signorini {
 
+/// Of the largest entry of a matrix: what counts as rounding of it [-].
+inline constexpr double kEntryRounding = 1e-12;
+
 /// max |a_ij|, 0 for a matrix without entries; NaN if some entry is NaN.
 double largest_entry(const SparseMatrix& A);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "problems/linear_algebra/orthogonal.hpp"
@@ -17,33 +16,6 @@ namespace {
 
 // Dense arrays of one group of stops have at most so many entries.
 constexpr std::size_t kMostEntries = 4'000'000;
-
-// The stops that hang together by coordinates they share, as lists of contacts.
-std::vector<std::vector<int>> groups_of(const std::vector<Contact>& contacts) {
-  std::vector<int> leader(contacts.size());
-  std::iota(leader.begin(), leader.end(), 0);
-  const auto find = [&](int j) {
-    while (leader[static_cast<std::size_t>(j)] != j) {
-      int& up = leader[static_cast<std::size_t>(j)];
-      up = leader[static_cast<std::size_t>(up)];
-      j = up;
-    }
-    return j;
-  };
-  std::map<int, int> first_at;  // of each coordinate
-  for (int j = 0; j < std::ssize(contacts); ++j) {
-    for (const auto& [dof, coefficient] : contacts[static_cast<std::size_t>(j)].normal) {
-      if (coefficient == 0.0) continue;
-      const auto [entry, fresh] = first_at.try_emplace(dof, j);
-      if (!fresh) leader[static_cast<std::size_t>(find(j))] = find(entry->second);
-    }
-  }
-  std::map<int, std::vector<int>> groups;
-  for (int j = 0; j < std::ssize(contacts); ++j) groups[find(j)].push_back(j);
-  std::vector<std::vector<int>> result;
-  for (auto& [lead, members] : groups) result.push_back(std::move(members));
-  return result;
-}
 
 // gamma at each harmonic, of the contacts whose stop moves: cosine and sine.
 using StopMotion = std::map<int, Eigen::RowVector2d>;
@@ -61,7 +33,6 @@ StopMotions by_harmonic(const std::vector<StopTerm>& terms) {
 
 // Each harmonic is a load on all coordinates.
 void require_few_harmonics(const StopMotions& motions, const Problem& problem) {
-  constexpr double kMostLoads = 1e7;
   if (static_cast<double>(motions.size()) * problem.size() <= kMostLoads) return;
   throw InvalidProblem(
       fmt::format("contact[{}].gap_term", motions.begin()->second.begin()->first),
@@ -72,15 +43,9 @@ void require_few_harmonics(const StopMotions& motions, const Problem& problem) {
 // The directions of some contacts on the coordinates they touch.
 struct Group {
   Group(const Problem& problem, std::vector<int> members) : contacts(std::move(members)) {
-    std::map<int, Eigen::Index> place;
-    for (const int j : contacts) {
-      for (const auto& [dof, coefficient] : problem.contacts[static_cast<std::size_t>(j)].normal)
-        if (coefficient != 0.0) place.try_emplace(dof, 0);
-    }
-    for (auto& [dof, row] : place) {
-      row = std::ssize(dofs);
-      dofs.push_back(dof);
-    }
+    std::vector<Contact> stops;
+    for (const int j : contacts) stops.push_back(problem.contacts[static_cast<std::size_t>(j)]);
+    dofs = contact_coordinates(stops);
     if (contacts.size() * dofs.size() > kMostEntries) {
       throw InvalidProblem(
           fmt::format("contact[{}].gap", contacts.front()), fmt::format("one of {} stops", contacts.size()),
@@ -88,9 +53,11 @@ struct Group {
                       kMostEntries));
     }
     directions = Eigen::MatrixXd::Zero(std::ssize(contacts), std::ssize(dofs));
-    for (std::size_t row = 0; row < contacts.size(); ++row) {
-      for (const auto& [dof, coefficient] : problem.contacts[static_cast<std::size_t>(contacts[row])].normal)
-        if (coefficient != 0.0) directions(static_cast<Eigen::Index>(row), place[dof]) = coefficient;
+    for (std::size_t row = 0; row < stops.size(); ++row) {
+      for (const auto& [dof, coefficient] : stops[row].normal) {
+        const auto place = std::ranges::lower_bound(dofs, dof) - dofs.begin();
+        if (coefficient != 0.0) directions(static_cast<Eigen::Index>(row), place) = coefficient;
+      }
     }
   }
 
@@ -136,7 +103,7 @@ void move_stops(Problem& problem, const std::vector<StopTerm>& terms) {
   if (motions.empty()) return;
   require_few_harmonics(motions, problem);
   std::vector<Group> groups;
-  for (std::vector<int>& members : groups_of(problem.contacts)) {
+  for (std::vector<int>& members : contact_groups(problem.contacts)) {
     const auto moves = [&](int j) {
       return std::ranges::any_of(motions, [&](const auto& entry) { return entry.second.contains(j); });
     };

@@ -9,6 +9,9 @@
 
 namespace signorini {
 
+/// Most loads, harmonics times coordinates, that a motion or the samples of a load may make.
+inline constexpr double kMostLoads = 1e7;
+
 /// One harmonic of the motion of the stop of a contact, x_j <= g_j + cos * cos(h omega t) + sin * sin(h omega
 /// t).
 struct StopTerm {
@@ -38,7 +41,8 @@ struct BaseTerm {
 ///
 /// \throws InvalidProblem where stops that share coordinates have no such r (two that approach each other),
 /// where more than 4e6 pairs of such stops and coordinates hang together, or harmonics times coordinates are
-/// more than 1e7
+/// more than
+/// kMostLoads
 void move_stops(Problem& problem, const std::vector<StopTerm>& terms);
 
 /// Tells a scene whose base moves by b(t) in coordinates relative to the base: adds the load -M d b'', d the

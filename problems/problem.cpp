@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <memory>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,28 +37,11 @@ Eigen::VectorXd reduced(const SparseMatrix& A, const SparseMatrix& W) {
   return forms;
 }
 
-}  // namespace
-
-Law common_law(const std::vector<ContactLaw>& laws) {
-  if (laws.empty()) return {};
-  const auto all = [&laws](const auto& is) { return std::ranges::all_of(laws, is); };
-  if (all([](const ContactLaw& law) { return std::holds_alternative<Spring>(law); })) {
-    Penalty springs;
-    for (const ContactLaw& law : laws) springs.stiffness.push_back(std::get<Spring>(law).stiffness);
-    return springs;
-  }
-  if (!all([&laws](const ContactLaw& law) { return law == laws.front(); })) return MixedLaws{laws};
-  if (const auto* restitution = std::get_if<Restitution>(&laws.front())) return *restitution;
-  return Massless{};
+template <class Kind>
+bool has_law(const Problem& problem) {
+  return std::ranges::any_of(
+      problem.contacts, [](const Contact& contact) { return std::holds_alternative<Kind>(contact.law); });
 }
-
-Law Problem::law() const {
-  std::vector<ContactLaw> laws;
-  for (const Contact& contact : contacts) laws.push_back(contact.law);
-  return common_law(laws);
-}
-
-namespace {
 
 void require_one_law_each(std::size_t laws, std::size_t contacts) {
   if (laws != contacts)
@@ -80,6 +66,25 @@ struct SetLaws {
 };
 
 }  // namespace
+
+Law common_law(const std::vector<ContactLaw>& laws) {
+  if (laws.empty()) return {};
+  const auto all = [&laws](const auto& is) { return std::ranges::all_of(laws, is); };
+  if (all([](const ContactLaw& law) { return std::holds_alternative<Spring>(law); })) {
+    Penalty springs;
+    for (const ContactLaw& law : laws) springs.stiffness.push_back(std::get<Spring>(law).stiffness);
+    return springs;
+  }
+  if (!all([&laws](const ContactLaw& law) { return law == laws.front(); })) return MixedLaws{laws};
+  if (const auto* restitution = std::get_if<Restitution>(&laws.front())) return *restitution;
+  return Massless{};
+}
+
+Law Problem::law() const {
+  std::vector<ContactLaw> laws;
+  for (const Contact& contact : contacts) laws.push_back(contact.law);
+  return common_law(laws);
+}
 
 void Problem::set_law(const Law& law) { std::visit(SetLaws{contacts}, law); }
 
@@ -123,6 +128,42 @@ SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size) 
   return W;
 }
 
+std::vector<int> contact_coordinates(const std::vector<Contact>& contacts) {
+  std::set<int> coordinates;
+  for (const Contact& contact : contacts) {
+    for (const auto& [dof, coefficient] : contact.normal)
+      if (coefficient != 0.0) coordinates.insert(dof);
+  }
+  return {coordinates.begin(), coordinates.end()};
+}
+
+std::vector<std::vector<int>> contact_groups(const std::vector<Contact>& contacts) {
+  std::vector<int> leader(contacts.size());  // of lower or the same number, up to the first of a group
+  std::iota(leader.begin(), leader.end(), 0);
+  const auto first_of = [&](int j) {
+    while (leader[static_cast<std::size_t>(j)] != j) {
+      int& up = leader[static_cast<std::size_t>(j)];
+      up = leader[static_cast<std::size_t>(up)];
+      j = up;
+    }
+    return j;
+  };
+  std::map<int, int> first_at;  // of each coordinate
+  for (int j = 0; j < std::ssize(contacts); ++j) {
+    for (const auto& [dof, coefficient] : contacts[static_cast<std::size_t>(j)].normal) {
+      if (coefficient == 0.0) continue;
+      const auto [low, high] =
+          std::minmax({first_of(j), first_of(first_at.try_emplace(dof, j).first->second)});
+      leader[static_cast<std::size_t>(high)] = low;
+    }
+  }
+  std::map<int, std::vector<int>> groups;
+  for (int j = 0; j < std::ssize(contacts); ++j) groups[first_of(j)].push_back(j);
+  std::vector<std::vector<int>> result;
+  for (auto& [first, members] : groups) result.push_back(std::move(members));
+  return result;
+}
+
 Eigen::VectorXd stop_compliance(const Problem& problem) {
   Eigen::VectorXd compliance = Eigen::VectorXd::Zero(problem.contact_count());
   for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
@@ -132,21 +173,13 @@ Eigen::VectorXd stop_compliance(const Problem& problem) {
   return compliance;
 }
 
-bool has_impacts(const Problem& problem) {
-  return std::ranges::any_of(problem.contacts, [](const Contact& contact) {
-    return std::holds_alternative<Restitution>(contact.law);
-  });
-}
+bool has_impacts(const Problem& problem) { return has_law<Restitution>(problem); }
 
-bool has_springs(const Problem& problem) {
-  return std::ranges::any_of(
-      problem.contacts, [](const Contact& contact) { return std::holds_alternative<Spring>(contact.law); });
-}
+bool has_springs(const Problem& problem) { return has_law<Spring>(problem); }
 
 Eigen::VectorXd contact_gaps(const Problem& problem) {
   Eigen::VectorXd gaps(problem.contact_count());
-  std::transform(problem.contacts.begin(), problem.contacts.end(), gaps.begin(),
-                 [](const Contact& contact) { return contact.gap; });
+  std::ranges::transform(problem.contacts, gaps.begin(), &Contact::gap);
   return gaps;
 }
 

@@ -162,6 +162,12 @@ SparseMatrix contact_directions(const Problem& problem);
 /// The directions of any list of contacts on a structure of `size` coordinates, size x contacts.size() [-].
 SparseMatrix contact_directions(const std::vector<Contact>& contacts, int size);
 
+/// Every coordinate with a part in some of these contacts, rising.
+std::vector<int> contact_coordinates(const std::vector<Contact>& contacts);
+
+/// Contacts that hang together by coordinates they share, rising: groups by their first contact.
+std::vector<std::vector<int>> contact_groups(const std::vector<Contact>& contacts);
+
 /// 1 / k of stops that are springs, 0 of the others, Nc [m/N].
 Eigen::VectorXd stop_compliance(const Problem& problem);
 

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "problems/linear_algebra/sparse/sparse_products.hpp"
+
 namespace signorini {
 
 struct SparseCholesky::Handle {
@@ -105,10 +107,7 @@ std::unique_ptr<DefiniteSolver> factorise_here(const SparseMatrix& A) {
 
 double SparseCholesky::smallest_pivot() const { return handle_->smallest_pivot; }
 
-bool SparseCholesky::definite() const {
-  constexpr double kDefinite = 1e-13;  // below, A^{-1} means nothing
-  return smallest_pivot() > kDefinite;
-}
+bool SparseCholesky::definite() const { return smallest_pivot() > kDefinitePivot; }
 
 double SparseCholesky::entries() const {
   const cholmod_factor& factor = *handle_->factor;
@@ -120,11 +119,10 @@ double SparseCholesky::operations() const { return handle_->common.fl; }
 // Some columns at a time: CHOLMOD works on a copy of what it is given, which it keeps, and counts its entries
 // in 32 bits.
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& rhs) {
-  constexpr Eigen::Index kAtOnce = 32;
   Handle& h = *handle_;
   Eigen::MatrixXd solution(rhs.rows(), rhs.cols());
-  for (Eigen::Index first = 0; first < rhs.cols(); first += kAtOnce) {
-    const Eigen::Index count = std::min(kAtOnce, rhs.cols() - first);
+  for (Eigen::Index first = 0; first < rhs.cols(); first += kColumnsAtOnce) {
+    const Eigen::Index count = std::min(kColumnsAtOnce, rhs.cols() - first);
     // CHOLMOD only reads it.
     Eigen::Map<Eigen::MatrixXd> columns(
         const_cast<double*>(rhs.col(first).data()),  // NOLINT(cppcoreguidelines-pro-type-const-cast)

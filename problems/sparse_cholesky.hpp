@@ -9,6 +9,9 @@
 
 namespace signorini {
 
+/// Least pivot of a definite matrix scaled to unit diagonal: below, A^{-1} means nothing [-].
+inline constexpr double kDefinitePivot = 1e-13;
+
 /// A = L L^T, columns in the order found best of minimum degree and nested dissection. CHOLMOD [chen2008];
 /// one thread with a serial BLAS.
 class SparseCholesky final : public DefiniteSolver {
@@ -32,7 +35,7 @@ class SparseCholesky final : public DefiniteSolver {
   /// Smallest pivot of A scaled to unit diagonal, min L_jj^2 / a_jj [-]; not positive where A is not positive
   /// definite to working precision.
   [[nodiscard]] double smallest_pivot() const;
-  /// Whether that is more than 1e-13.
+  /// Whether that is more than kDefinitePivot.
   [[nodiscard]] bool definite() const override;
   /// A^{-1} rhs, Nd x k.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) override;

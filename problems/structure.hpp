@@ -10,6 +10,15 @@ namespace signorini {
 /// The one sparse matrix type of the project: real, compressed by columns, with int indices.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
+/// Calls visit(row, column, value) for every stored entry of a matrix, column by column.
+template <class Visit>
+void for_each_entry(const SparseMatrix& A, Visit visit) {
+  for (int column = 0; column < A.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry)
+      visit(static_cast<int>(entry.row()), column, entry.value());
+  }
+}
+
 /// D and K of a rotor that turns as fast as its load, D = D_0 + omega D_1 and K = K_0 + omega K_1, omega
 /// being the frequency of the load; all four matrices are Nd x Nd.
 struct SpeedTerms {

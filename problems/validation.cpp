@@ -16,10 +16,6 @@ namespace signorini {
 
 namespace {
 
-constexpr int kMaxSubharmonic = 64;
-constexpr int kMaxLoadHarmonic = 10000;
-constexpr int kMostOmegaPower = 2;
-
 void require(bool ok, const std::string& field, const std::string& found, const std::string& requirement) {
   if (!ok) throw InvalidProblem(field, found, requirement);
 }
@@ -32,23 +28,32 @@ void require_finite(double value, const std::string& field) {
 // doubles, however lengths, masses and times are combined.
 constexpr double kSmallest = 1e-60;
 constexpr double kLargest = 1e60;
-constexpr double kSlowest = 1e-20, kFastest = 1e20;  // [rad/s]
 
 void require_magnitude(double size, const std::string& field) {
   require(size == 0.0 || (size >= kSmallest && size <= kLargest), field, fmt::format("{:g}", size),
           fmt::format("must be 0 or between {:g} and {:g}: choose other units", kSmallest, kLargest));
 }
 
-void require_dof(int dof, const Problem& problem, const std::string& field) {
-  require(dof >= 0 && dof < problem.size(), field, std::to_string(dof),
-          fmt::format("must be a coordinate of the system, 0..{}", problem.size() - 1));
+// A finite number of that magnitude.
+void require_number(double value, const std::string& field) {
+  require_finite(value, field);
+  require_magnitude(std::abs(value), field);
+}
+
+void require_harmonic(int harmonic, int least, const std::string& field) {
+  require(harmonic >= least && harmonic <= kMostLoadHarmonic, field + ".harmonic", std::to_string(harmonic),
+          fmt::format("must be a whole number, {}..{}", least, kMostLoadHarmonic));
+}
+
+void require_dof(int dof, int size, const std::string& field) {
+  require(dof >= 0 && dof < size, field, std::to_string(dof),
+          fmt::format("must be a coordinate of the system, 0..{}", size - 1));
 }
 
 void check_matrix(const SparseMatrix& A, int size, const std::string& field) {
   require(A.rows() == size && A.cols() == size, field, fmt::format("{} x {} matrix", A.rows(), A.cols()),
           fmt::format("must be {} x {}", size, size));
-  require_finite(largest_entry(A), field);
-  require_magnitude(largest_entry(A), field);
+  require_number(largest_entry(A), field);
 }
 
 void check_semidefinite(const SparseMatrix& A, const std::string& field, Definiteness definiteness,
@@ -134,25 +139,24 @@ void check_matrices(const Problem& problem, Definiteness known) {
 }
 
 void check_forcing(const Problem& problem) {
+  constexpr int kMaxSubharmonic = 64;
+  constexpr double kFastest = 1e20;  // [rad/s]
   require(std::isfinite(problem.frequency) && problem.frequency > 0.0, "forcing.frequency",
           fmt::format("{}", problem.frequency), "must be a positive number [rad/s]");
-  require(problem.frequency >= kSlowest && problem.frequency <= kFastest, "forcing.frequency",
+  require(problem.frequency >= 1.0 / kFastest && problem.frequency <= kFastest, "forcing.frequency",
           fmt::format("{:g}", problem.frequency),
-          fmt::format("must be between {:g} and {:g} [rad/s]: choose other units", kSlowest, kFastest));
+          fmt::format("must be between {:g} and {:g} [rad/s]: choose other units", 1.0 / kFastest, kFastest));
   require(problem.subharmonic >= 1 && problem.subharmonic <= kMaxSubharmonic, "forcing.subharmonic",
           std::to_string(problem.subharmonic), fmt::format("must be a whole number, 1..{}", kMaxSubharmonic));
   for (std::size_t i = 0; i < problem.force.size(); ++i) {
     const ForceTerm& term = problem.force[i];
     const std::string field = fmt::format("forcing.term[{}]", i);
-    require_dof(term.dof, problem, field + ".dof");
-    require(term.harmonic >= 0 && term.harmonic <= kMaxLoadHarmonic, field + ".harmonic",
-            std::to_string(term.harmonic), fmt::format("must be a whole number, 0..{}", kMaxLoadHarmonic));
-    require_finite(term.cos, field + ".cos");
-    require_finite(term.sin, field + ".sin");
-    require_magnitude(std::abs(term.cos), field + ".cos");
-    require_magnitude(std::abs(term.sin), field + ".sin");
-    require(term.omega_power >= 0 && term.omega_power <= kMostOmegaPower, field + ".omega_power",
-            std::to_string(term.omega_power), fmt::format("must be 0, 1 or {}", kMostOmegaPower));
+    require_dof(term.dof, problem.size(), field + ".dof");
+    require_harmonic(term.harmonic, 0, field);
+    require_number(term.cos, field + ".cos");
+    require_number(term.sin, field + ".sin");
+    require(term.omega_power >= 0 && term.omega_power <= 2, field + ".omega_power",
+            std::to_string(term.omega_power), "must be 0, 1 or 2");
     require(term.harmonic > 0 || term.sin == 0.0, field + ".sin", fmt::format("{}", term.sin),
             "must be 0 or absent: at harmonic 0 a sine is nothing");
   }
@@ -162,34 +166,18 @@ void check_frame(const Problem& problem) {
   for (std::size_t i = 0; i < problem.frame.size(); ++i) {
     const FrameTerm& term = problem.frame[i];
     const std::string field = fmt::format("frame[{}]", i);
-    require_dof(term.dof, problem, field + ".dof");
-    require(term.harmonic >= 1 && term.harmonic <= kMaxLoadHarmonic, field + ".harmonic",
-            std::to_string(term.harmonic), fmt::format("must be a whole number, 1..{}", kMaxLoadHarmonic));
+    require_dof(term.dof, problem.size(), field + ".dof");
+    require_harmonic(term.harmonic, 1, field);
     require_finite(term.cos, field + ".cos");
     require_finite(term.sin, field + ".sin");
     require_magnitude(std::hypot(term.cos, term.sin), field);
   }
 }
 
-void check_normal(const Contact& contact, const Problem& problem, const std::string& field) {
-  std::set<int> seen;
-  bool nonzero = false;
-  for (std::size_t i = 0; i < contact.normal.size(); ++i) {
-    const auto& [dof, coefficient] = contact.normal[i];
-    const std::string entry = fmt::format("{}[{}]", field, i);
-    require_dof(dof, problem, entry + "[0]");
-    require(seen.insert(dof).second, entry + "[0]", std::to_string(dof), "must name each coordinate once");
-    require_finite(coefficient, entry + "[1]");
-    require_magnitude(std::abs(coefficient), entry + "[1]");
-    nonzero = nonzero || coefficient != 0.0;
-  }
-  require(nonzero, field, contact.normal.empty() ? "[]" : "zero vector", "needs a nonzero coefficient");
-}
-
 void check_contacts(const Problem& problem) {
   for (std::size_t j = 0; j < problem.contacts.size(); ++j) {
     const std::string field = fmt::format("contact[{}]", j);
-    check_normal(problem.contacts[j], problem, field + ".normal");
+    validate_normal(problem.contacts[j].normal, problem.size(), field + ".normal");
     require_finite(problem.contacts[j].gap, field + ".gap");
     require(std::abs(problem.contacts[j].gap) <= kLargest, field + ".gap",
             fmt::format("{:g}", problem.contacts[j].gap), fmt::format("must be at most {:g}", kLargest));
@@ -235,20 +223,10 @@ struct ContactLawCheck {
   }
 };
 
-void check_room(const Problem& problem) {
-  const auto conflict = stop_conflict(problem.contacts);
+void refuse_conflict(const std::optional<StopConflict>& conflict) {
   if (!conflict) return;
-  throw InvalidProblem(fmt::format("contact[{}].gap", conflict->contact),
-                       fmt::format("{:g}", problem.contacts[static_cast<std::size_t>(conflict->contact)].gap),
-                       conflict->requirement);
-}
-
-void check_restitutions(const Problem& problem) {
-  const auto conflict = restitution_conflict(problem.contacts);
-  if (!conflict) return;
-  const ContactLaw& law = problem.contacts[static_cast<std::size_t>(conflict->contact)].law;
-  throw InvalidProblem(fmt::format("contact[{}].restitution", conflict->contact),
-                       fmt::format("{:g}", std::get<Restitution>(law).e), conflict->requirement);
+  throw InvalidProblem(fmt::format("contact[{}].{}", conflict->contact, conflict->key),
+                       fmt::format("{:g}", conflict->found), conflict->requirement);
 }
 
 void check_laws(const Problem& problem) {
@@ -256,11 +234,25 @@ void check_laws(const Problem& problem) {
   const std::vector<bool> massive = contacts_with_mass(problem);
   for (std::size_t j = 0; j < problem.contacts.size(); ++j)
     std::visit(ContactLawCheck{problem, massive, j}, problem.contacts[j].law);
-  check_restitutions(problem);
-  check_room(problem);
+  refuse_conflict(restitution_conflict(problem.contacts));
+  refuse_conflict(stop_conflict(problem.contacts));
 }
 
 }  // namespace
+
+void validate_normal(const std::vector<std::pair<int, double>>& normal, int size, const std::string& field) {
+  std::set<int> seen;
+  bool nonzero = false;
+  for (std::size_t i = 0; i < normal.size(); ++i) {
+    const auto& [dof, coefficient] = normal[i];
+    const std::string entry = fmt::format("{}[{}]", field, i);
+    require_dof(dof, size, entry + "[0]");
+    require(seen.insert(dof).second, entry + "[0]", std::to_string(dof), "must name each coordinate once");
+    require_number(coefficient, entry + "[1]");
+    nonzero = nonzero || coefficient != 0.0;
+  }
+  require(nonzero, field, normal.empty() ? "[]" : "zero vector", "needs a nonzero coefficient");
+}
 
 void validate(const Problem& problem, Definiteness definiteness) {
   check_matrices(problem, definiteness);

@@ -25,6 +25,9 @@ class InvalidProblem : public std::invalid_argument {
   std::string requirement;  ///< what is required instead
 };
 
+/// Highest harmonic of a load, and of the motion of a stop.
+inline constexpr int kMostLoadHarmonic = 10000;
+
 /// Whether M, K and the symmetric part of D have to be factorised to know that they are what they must be.
 /// Sums of finite-element matrices are, whatever the mesh: M and K are semi-definite, and a motion without
 /// strain energy carries mass. Factorising them would cost more than everything else about a large scene.
@@ -45,5 +48,9 @@ enum class Definiteness { to_be_checked, by_construction, not_judged };
 /// time and memory are limited, meets an indefinite matrix.
 /// \throws InvalidProblem on the first violation
 void validate(const Problem& problem, Definiteness definiteness = Definiteness::to_be_checked);
+
+/// Checks the normal of a contact on a structure of `size` coordinates: each named once, numbers finite, one
+/// of them not zero. \param field  in messages, "contact[1].normal" \throws InvalidProblem
+void validate_normal(const std::vector<std::pair<int, double>>& normal, int size, const std::string& field);
 
 }  // namespace signorini

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "methods/discretisation/gauss_rule.hpp"
 
@@ -10,15 +11,15 @@ namespace signorini {
 
 namespace {
 
-ContactNodes joined(const std::vector<ContactNodes>& parts) {
-  Eigen::Index count = 0;
-  for (const ContactNodes& part : parts) count += part.time.size();
-  ContactNodes all{Eigen::VectorXd(count), Eigen::VectorXd(count)};
-  Eigen::Index first = 0;
-  for (const ContactNodes& part : parts) {
-    all.time.segment(first, part.time.size()) = part.time;
-    all.weight.segment(first, part.weight.size()) = part.weight;
-    first += part.time.size();
+template <class NodesOf>
+ContactNodes joined(const std::vector<ContactInterval>& intervals, NodesOf nodes_of) {
+  ContactNodes all;
+  for (const ContactInterval& interval : intervals) {
+    const ContactNodes part = nodes_of(interval);
+    for (const auto& [whole, added] : {std::pair{&all.time, &part.time}, {&all.weight, &part.weight}}) {
+      whole->conservativeResize(whole->size() + added->size());
+      whole->tail(added->size()) = *added;
+    }
   }
   return all;
 }
@@ -36,23 +37,20 @@ ContactNodes nodes_on(double begin, double end, int harmonics) {
 }
 
 ContactNodes nodes_on(const std::vector<ContactInterval>& intervals, int harmonics) {
-  std::vector<ContactNodes> parts;
-  for (const ContactInterval& interval : intervals)
-    parts.push_back(nodes_on(interval.begin, interval.end, harmonics));
-  return joined(parts);
+  return joined(intervals, [harmonics](const ContactInterval& interval) {
+    return nodes_on(interval.begin, interval.end, harmonics);
+  });
 }
 
 ContactNodes samples_on(const std::vector<ContactInterval>& intervals, int samples) {
-  std::vector<ContactNodes> parts;
-  for (const ContactInterval& interval : intervals) {
+  return joined(intervals, [samples](const ContactInterval& interval) -> ContactNodes {
     const Eigen::Index count = std::lround((interval.end - interval.begin) * samples);
     const double step = 1.0 / samples;
     const bool throughout = count == samples;
-    parts.push_back({.time = (throughout ? 0.0 : interval.begin + 0.5 * step) +
-                             step * Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1)),
-                     .weight = Eigen::VectorXd::Constant(count, step)});
-  }
-  return joined(parts);
+    return {.time = (throughout ? 0.0 : interval.begin + 0.5 * step) +
+                    step * Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1)),
+            .weight = Eigen::VectorXd::Constant(count, step)};
+  });
 }
 
 Eigen::MatrixXcd phases_at(const Eigen::VectorXd& time, int harmonics) {

@@ -1,7 +1,6 @@
 #include "methods/complementarity/forms.hpp"
 
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <optional>

@@ -13,10 +13,7 @@ namespace signorini {
 namespace {
 
 constexpr Eigen::Index kFewUnknowns = 100;
-constexpr Eigen::Index kFewNodes = 150;    // at which a factorisation costs less than some GMRES products
-constexpr Eigen::Index kMostNodes = 4000;  // 128 MB, some seconds
-constexpr double kTolerance = 1e-12;       // of GMRES and of corrections, relative to the right-hand side
-constexpr double kAccepted = 1e-8;
+constexpr Eigen::Index kFewNodes = 150;  // at which a factorisation costs less than some GMRES products
 
 KrylovSolve factorised(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& r) {
   const LuFactors lu(matrix);
@@ -28,12 +25,13 @@ KrylovSolve factorised(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& r) 
 KrylovSolve at_nodes(const ContactSymbol& symbol, const JacobianSolver::Contacts& contacts,
                      const Eigen::VectorXd& r) {
   constexpr int kCorrections = 2;
+  constexpr double kAccepted = 1e-8;
   const NodalJacobian jacobian(symbol, contacts.place());
   KrylovSolve solved = jacobian.solve(r);
   for (int k = 0; solved.x.size() > 0; ++k) {
     const Eigen::VectorXd rest = r - contacts.product(solved.x);
     const double left = rest.norm() / r.norm();
-    if (left <= kTolerance || (k == kCorrections && left <= kAccepted)) return solved;
+    if (left <= kKrylovTolerance || (k == kCorrections && left <= kAccepted)) return solved;
     if (k == kCorrections) break;
     const Eigen::VectorXd correction = jacobian.solve(rest).x;
     if (correction.size() == 0) break;
@@ -62,14 +60,14 @@ KrylovSolve JacobianSolver::solve(const ContactSymbol& symbol, const Contacts& c
   if (!r.allFinite()) return {};
   if (r.isZero(0.0)) return {.x = r};
   if (contacts.matrix && r.size() <= kFewUnknowns) return factorised(contacts.matrix(), r);
-  const bool factorisable = contacts.nodes <= std::min(kMostNodes, r.size());
+  const bool factorisable = contacts.nodes <= std::min(kMostByFactors, r.size());
   if (factorisable && (contacts.nodes <= kFewNodes || gmres_fails_)) {
     KrylovSolve solved = at_nodes(symbol, contacts, r);
     if (solved.x.size() > 0 || gmres_fails_) return solved;
   }
   const LastingContactInverse lasting(symbol, contacts.duty);
   KrylovSolve krylov = solve_by_gmres(
-      contacts.product, [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kTolerance,
+      contacts.product, [&lasting](const Eigen::VectorXd& v) { return lasting * v; }, r, kKrylovTolerance,
       factorisable ? affordable_vectors(symbol, contacts.nodes) : std::numeric_limits<Eigen::Index>::max());
   if (krylov.x.size() > 0 || !factorisable) return krylov;
   gmres_fails_ = true;

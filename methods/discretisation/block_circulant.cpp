@@ -54,15 +54,6 @@ std::unique_ptr<const ColumnBounds> BlockCirculant::column_bounds() const {
   return std::make_unique<LagBounds>(samples_, contacts_, lags_);
 }
 
-void BlockCirculant::gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const {
-  out.resize(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t k = 0; k < rows.size(); ++k) out[static_cast<Eigen::Index>(k)] = (*this)(rows[k], column);
-}
-
-void BlockCirculant::gather_row(int row, std::span<const int> columns, double* out) const {
-  for (std::size_t k = 0; k < columns.size(); ++k) out[k] = (*this)(row, columns[k]);
-}
-
 Eigen::MatrixXd BlockCirculant::submatrix(std::span<const int> rows, std::span<const int> columns) const {
   const auto entry = [&](Eigen::Index i, Eigen::Index j) {
     return (*this)(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);

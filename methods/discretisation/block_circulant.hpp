@@ -42,8 +42,6 @@ class BlockCirculant final : public LcpMatrix {
                    Eigen::Ref<Eigen::VectorXd> out) const override;
   /// Some sqrt(N) segments a contact, of one length but for its last (LagBounds).
   [[nodiscard]] std::unique_ptr<const ColumnBounds> column_bounds() const override;
-  void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override;
-  void gather_row(int row, std::span<const int> columns, double* out) const override;
   [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,
                                           std::span<const int> columns) const override;
   /// By FFTs, O(N log N Nc + N Nc^2).

@@ -10,6 +10,9 @@
 
 namespace signorini {
 
+/// Steps between two places that differ in the sign of f before bisection alone [-].
+inline constexpr int kSuperlinearSteps = 40;
+
 /// Two places, in any order, and f there.
 struct Bracket {
   double a = 0.0;    ///< one place
@@ -33,7 +36,6 @@ struct Bracket {
 ///         the signs do not differ, and where f is not a number.
 template <class Function>
 std::optional<Bracket> bracketed_zero(Function&& f, Bracket bracket, double tolerance) {
-  constexpr int kInterpolations = 40;
   auto& [a, f_a, b, f_b] = bracket;
   if (!((f_a <= 0.0 && f_b >= 0.0) || (f_a >= 0.0 && f_b <= 0.0))) return std::nullopt;
   if (f_b == 0.0) {
@@ -57,9 +59,9 @@ std::optional<Bracket> bracketed_zero(Function&& f, Bracket bracket, double tole
     f_a = value;
     const double x = (a - b) / (c - b), y = (f_a - f_b) / (f_c - f_b);
     const bool monotone = y * y < x && (1.0 - y) * (1.0 - y) < 1.0 - x;
-    share = monotone && k < kInterpolations ? f_a / (f_b - f_a) * f_c / (f_b - f_c) +
-                                                  (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b)
-                                            : 0.5;
+    share = monotone && k < kSuperlinearSteps ? f_a / (f_b - f_a) * f_c / (f_b - f_c) +
+                                                    (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b)
+                                              : 0.5;
   }
   return bracket;
 }
@@ -88,7 +90,6 @@ struct SignChange {
 /// \return the end of the last step. Empty where f is not a number.
 template <class Function>
 std::optional<double> newton_zero_between(Function&& f, SignChange places, double tolerance) {
-  constexpr int kNewtonSteps = 40;
   auto& [negative, positive] = places;
   double t = 0.5 * (negative + positive);
   for (int k = 0;; ++k) {
@@ -99,7 +100,7 @@ std::optional<double> newton_zero_between(Function&& f, SignChange places, doubl
     const double settled = std::max(tolerance, kEpsilon * std::abs(t));
     double next = t - there.value / there.slope;
     const bool inside = (next - negative) * (next - positive) < 0.0 || std::abs(next - t) <= settled;
-    if (k >= kNewtonSteps || !inside) next = 0.5 * (negative + positive);
+    if (k >= kSuperlinearSteps || !inside) next = 0.5 * (negative + positive);
     if (std::abs(next - t) <= settled) return next;
     t = next;
   }

@@ -10,6 +10,8 @@ namespace signorini {
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Distance from 1 to the next double [-].
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Rounding of a few dozen operations, relative [-].
+inline constexpr double kSumRounding = 64.0 * kEpsilon;
 /// Beyond any number [-].
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -17,6 +17,11 @@
 
 namespace signorini {
 
+/// Tolerance of GMRES in a Newton step, relative to the right-hand side [-].
+inline constexpr double kKrylovTolerance = 1e-12;
+/// Unknowns up to which a Newton step is solved by factors where GMRES fails: 128 MB, some seconds.
+inline constexpr Eigen::Index kMostByFactors = 4000;
+
 /// The end of a linear solve.
 struct KrylovSolve {
   Eigen::VectorXd x;  ///< empty where the tolerance was missed or a number is not finite
@@ -108,8 +113,8 @@ struct NewtonKrylovResult {
   int iterations = 0;                ///< Newton steps
   double residual = 0.0;             ///< the system's error of the last iterate accepted
   Eigen::VectorXd unknowns = {};     ///< v, the last iterate accepted
-  std::optional<double> condition =
-      {};  ///< estimate for the Jacobian of the last step; empty: none taken [-]
+  /// Estimate for the Jacobian of the last step; empty: none taken [-].
+  std::optional<double> condition = {};
 };
 
 /// A JacobianSystem as damped_newton sees it: the merit is |R|_2.

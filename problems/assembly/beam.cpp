@@ -66,29 +66,18 @@ std::vector<Follower> followers(const Beam& beam) {
 SparseMatrix in_two_planes(const SparseMatrix& A) {
   Entries entries;
   const auto place = [](int i, int plane) { return 4 * (i / 2) + 2 * plane + i % 2; };
-  for (int column = 0; column < A.outerSize(); ++column) {
-    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
-      for (int plane = 0; plane < 2; ++plane) {
-        entries.emplace_back(place(static_cast<int>(entry.row()), plane), place(column, plane),
-                             entry.value());
-      }
-    }
-  }
+  for_each_entry(A, [&](int row, int column, double value) {
+    for (int plane = 0; plane < 2; ++plane)
+      entries.emplace_back(place(row, plane), place(column, plane), value);
+  });
   return from_entries(entries, 2 * A.rows());
 }
 
-// The matrix of one plane with `value` at the deflections of these nodes.
-SparseMatrix on_nodes(const std::vector<int>& nodes, double value, Eigen::Index size) {
+// The matrix of one plane with `value` at these coordinates, deflections 2 n and rotations 2 n + 1 of nodes.
+SparseMatrix on_coordinates(const std::vector<int>& coordinates, double value, Eigen::Index size) {
   Entries entries;
-  for (const int node : nodes) entries.emplace_back(2 * node, 2 * node, value);
+  for (const int i : coordinates) entries.emplace_back(i, i, value);
   return from_entries(entries, size);
-}
-
-// An inertia against the rotation of a node, in one plane.
-SparseMatrix on_rotation(int node, double value, Eigen::Index size) {
-  SparseMatrix A(size, size);
-  if (value != 0.0) A.insert(2 * node + 1, 2 * node + 1) = value;
-  return A;
 }
 
 }  // namespace
@@ -169,14 +158,14 @@ Structure assemble(const Beam& beam) {
 
 Structure assemble(const Shaft& shaft) {
   const SparseMatrix mass = unclamped_mass(shaft.beam);
-  const std::vector<int> ends = {0, shaft.beam.elements};
-  const SparseMatrix disc = on_nodes({shaft.disc_node}, shaft.disc_mass, mass.rows()) +
-                            on_rotation(shaft.disc_node, shaft.disc_inertia, mass.rows());
-  return {
-      .mass = in_two_planes(mass + disc),
-      .damping = in_two_planes(on_nodes(ends, shaft.bearing_damping, mass.rows())) + gyroscopic_matrix(shaft),
-      .stiffness = in_two_planes(unclamped_stiffness(shaft.beam) +
-                                 on_nodes(ends, shaft.bearing_stiffness, mass.rows()))};
+  const std::vector<int> ends = {0, 2 * shaft.beam.elements};
+  const SparseMatrix disc = on_coordinates({2 * shaft.disc_node}, shaft.disc_mass, mass.rows()) +
+                            on_coordinates({2 * shaft.disc_node + 1}, shaft.disc_inertia, mass.rows());
+  return {.mass = in_two_planes(mass + disc),
+          .damping = in_two_planes(on_coordinates(ends, shaft.bearing_damping, mass.rows())) +
+                     gyroscopic_matrix(shaft),
+          .stiffness = in_two_planes(unclamped_stiffness(shaft.beam) +
+                                     on_coordinates(ends, shaft.bearing_stiffness, mass.rows()))};
 }
 
 }  // namespace signorini

@@ -1,7 +1,6 @@
 #pragma once
 // Damping matrices made from mass and stiffness: Rayleigh's, and the one with given ratios per mode.
 
-#include <Eigen/Core>
 #include <variant>
 #include <vector>
 

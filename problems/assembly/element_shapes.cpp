@@ -10,36 +10,15 @@ namespace signorini {
 
 namespace {
 
-using Corners = std::vector<int>;
-
-// The corners that each node beyond the corners is in the middle of, in Gmsh's order.
-std::vector<Corners> middles(const ElementShape& shape) {
+// The corners, a digit each, that each node beyond the corners is in the middle of, in Gmsh's order.
+std::vector<std::string_view> middles(const ElementShape& shape) {
   if (shape.degree < 2) return {};
-  if (shape.simplex) {
-    if (shape.dimension == 2) return {{0, 1}, {1, 2}, {0, 2}};
-    return {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
-  }
-  if (shape.dimension == 1) return {{0, 1}};
-  if (shape.dimension == 2) return {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}};
-  return {{0, 1},
-          {0, 3},
-          {0, 4},
-          {1, 2},
-          {1, 5},
-          {2, 3},
-          {2, 6},
-          {3, 7},
-          {4, 5},
-          {4, 7},
-          {5, 6},
-          {6, 7},
-          {0, 1, 2, 3},
-          {0, 1, 4, 5},
-          {0, 3, 4, 7},
-          {1, 2, 5, 6},
-          {2, 3, 6, 7},
-          {4, 5, 6, 7},
-          {0, 1, 2, 3, 4, 5, 6, 7}};
+  if (shape.simplex && shape.dimension == 2) return {"01", "12", "02"};
+  if (shape.simplex) return {"01", "12", "02", "03", "23", "13"};
+  if (shape.dimension == 1) return {"01"};
+  if (shape.dimension == 2) return {"01", "12", "23", "30", "0123"};
+  return {"01", "03", "04",   "12",   "15",   "23",   "26",   "37",   "45",      "47",
+          "56", "67", "0123", "0145", "0347", "1256", "2367", "4567", "01234567"};
 }
 
 Eigen::MatrixXd corners(const ElementShape& shape) {
@@ -95,8 +74,8 @@ Eigen::MatrixXd simplex_functions(const ElementShape& shape, const Eigen::Vector
     functions.row(a).tail(d) = (4.0 * L(a, 0) - 1.0) * L.row(a).tail(d);
   }
   int node = d + 1;
-  for (const Corners& edge : middles(shape)) {
-    const int a = edge[0], b = edge[1];
+  for (const std::string_view edge : middles(shape)) {
+    const int a = edge[0] - '0', b = edge[1] - '0';
     functions(node, 0) = 4.0 * L(a, 0) * L(b, 0);
     functions.row(node).tail(d) = 4.0 * (L(a, 0) * L.row(b).tail(d) + L(b, 0) * L.row(a).tail(d));
     ++node;
@@ -107,28 +86,18 @@ Eigen::MatrixXd simplex_functions(const ElementShape& shape, const Eigen::Vector
 }  // namespace
 
 const std::vector<ElementShape>& element_shapes() {
-  static const std::vector<ElementShape> shapes{
-      {.name = "points", .gmsh = 15, .dimension = 0, .nodes = 1},
-      {.name = "lines of 2 nodes", .gmsh = 1, .dimension = 1, .simplex = false, .nodes = 2},
-      {.name = "lines of 3 nodes", .gmsh = 8, .dimension = 1, .degree = 2, .simplex = false, .nodes = 3},
-      {.name = "triangles of 3 nodes", .gmsh = 2, .dimension = 2, .nodes = 3},
-      {.name = "triangles of 6 nodes", .gmsh = 9, .dimension = 2, .degree = 2, .nodes = 6},
-      {.name = "quadrangles of 4 nodes", .gmsh = 3, .dimension = 2, .simplex = false, .nodes = 4},
-      {.name = "quadrangles of 9 nodes",
-       .gmsh = 10,
-       .dimension = 2,
-       .degree = 2,
-       .simplex = false,
-       .nodes = 9},
-      {.name = "tetrahedra of 4 nodes", .gmsh = 4, .dimension = 3, .nodes = 4},
-      {.name = "tetrahedra of 10 nodes", .gmsh = 11, .dimension = 3, .degree = 2, .nodes = 10},
-      {.name = "hexahedra of 8 nodes", .gmsh = 5, .dimension = 3, .simplex = false, .nodes = 8},
-      {.name = "hexahedra of 27 nodes",
-       .gmsh = 12,
-       .dimension = 3,
-       .degree = 2,
-       .simplex = false,
-       .nodes = 27}};
+  static const std::vector<ElementShape> shapes{// name, type of Gmsh, dimension, degree, simplex, nodes
+                                                {"points", 15, 0, 1, true, 1},
+                                                {"lines of 2 nodes", 1, 1, 1, false, 2},
+                                                {"lines of 3 nodes", 8, 1, 2, false, 3},
+                                                {"triangles of 3 nodes", 2, 2, 1, true, 3},
+                                                {"triangles of 6 nodes", 9, 2, 2, true, 6},
+                                                {"quadrangles of 4 nodes", 3, 2, 1, false, 4},
+                                                {"quadrangles of 9 nodes", 10, 2, 2, false, 9},
+                                                {"tetrahedra of 4 nodes", 4, 3, 1, true, 4},
+                                                {"tetrahedra of 10 nodes", 11, 3, 2, true, 10},
+                                                {"hexahedra of 8 nodes", 5, 3, 1, false, 8},
+                                                {"hexahedra of 27 nodes", 12, 3, 2, false, 27}};
   return shapes;
 }
 
@@ -142,9 +111,10 @@ Eigen::MatrixXd reference_nodes(const ElementShape& shape) {
   Eigen::MatrixXd places(shape.dimension, shape.nodes);
   places.leftCols(ends.cols()) = ends;
   Eigen::Index node = ends.cols();
-  for (const Corners& around : middles(shape)) {
+  for (const std::string_view around : middles(shape)) {
     places.col(node).setZero();
-    for (const int corner : around) places.col(node) += ends.col(corner) / static_cast<double>(around.size());
+    for (const char corner : around)
+      places.col(node) += ends.col(corner - '0') / static_cast<double>(around.size());
     ++node;
   }
   return places;

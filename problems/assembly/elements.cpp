@@ -41,11 +41,9 @@ SparseMatrix block_diagonal(const std::vector<SparseMatrix>& parts) {
   Entries entries;
   int size = 0;
   for (const SparseMatrix& part : parts) {
-    for (int column = 0; column < part.outerSize(); ++column) {
-      for (SparseMatrix::InnerIterator entry(part, column); entry; ++entry) {
-        entries.emplace_back(size + static_cast<int>(entry.row()), size + column, entry.value());
-      }
-    }
+    for_each_entry(part, [&](int row, int column, double value) {
+      entries.emplace_back(size + row, size + column, value);
+    });
     size += static_cast<int>(part.rows());
   }
   return from_entries(entries, size);

@@ -1,10 +1,7 @@
 #include "problems/assembly/solid.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 
 #include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/linear_algebra/singular_values.hpp"

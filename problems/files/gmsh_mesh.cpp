@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -245,32 +244,7 @@ class GmshReader {
     return names_.try_emplace({dimension, group}, std::to_string(group)).first->second;
   }
 
-  void read_nodes() {
-    lines_.expect("counts of nodes", 4);
-    const Tag blocks = lines_.whole(0, "counts of nodes", 0, kMostBlocks);
-    const Tag count = lines_.whole(1, "counts of nodes", 0, kMostMeshNodes);
-    for (Tag block = 0; block < blocks; ++block) {
-      lines_.expect("block of nodes", 4);
-      const Tag inside = lines_.whole(3, "block of nodes", 0, count - std::ssize(given_.nodes));
-      const std::size_t first = given_.nodes.size();
-      for (Tag i = 0; i < inside; ++i) {
-        lines_.expect("node", 1);
-        given_.nodes.push_back(GivenNode{.tag = lines_.whole(0, "node", 1, kLargestTag)});
-      }
-      for (Tag i = 0; i < inside; ++i) {
-        lines_.expect("place of a node", 3);
-        for (std::size_t a = 0; a < 3; ++a)
-          given_.nodes[first + static_cast<std::size_t>(i)].place[static_cast<Eigen::Index>(a)] =
-              lines_.finite(a, "place of a node");
-      }
-    }
-    if (std::ssize(given_.nodes) != count)
-      lines_.refuse("nodes", fmt::format("{}", given_.nodes.size()), fmt::format("must be {}", count));
-    std::ranges::sort(given_.nodes, {}, &GivenNode::tag);
-    const auto twin = std::ranges::adjacent_find(given_.nodes, {}, &GivenNode::tag);
-    if (twin != given_.nodes.end()) lines_.refuse("node", fmt::format("{}", twin->tag), "must be given once");
-    end("$EndNodes");
-  }
+  void read_nodes();
 
   void read_elements() {
     if (!seen_.contains("$Nodes")) lines_.refuse("section", "must come after $Nodes");
@@ -339,6 +313,33 @@ class GmshReader {
   std::size_t kept_ = 0;                                    // nodes of elements, in all groups
   GivenMesh given_;
 };
+
+void GmshReader::read_nodes() {
+  lines_.expect("counts of nodes", 4);
+  const Tag blocks = lines_.whole(0, "counts of nodes", 0, kMostBlocks);
+  const Tag count = lines_.whole(1, "counts of nodes", 0, kMostMeshNodes);
+  for (Tag block = 0; block < blocks; ++block) {
+    lines_.expect("block of nodes", 4);
+    const Tag inside = lines_.whole(3, "block of nodes", 0, count - std::ssize(given_.nodes));
+    const std::size_t first = given_.nodes.size();
+    for (Tag i = 0; i < inside; ++i) {
+      lines_.expect("node", 1);
+      given_.nodes.push_back(GivenNode{.tag = lines_.whole(0, "node", 1, kLargestTag)});
+    }
+    for (Tag i = 0; i < inside; ++i) {
+      lines_.expect("place of a node", 3);
+      for (std::size_t a = 0; a < 3; ++a)
+        given_.nodes[first + static_cast<std::size_t>(i)].place[static_cast<Eigen::Index>(a)] =
+            lines_.finite(a, "place of a node");
+    }
+  }
+  if (std::ssize(given_.nodes) != count)
+    lines_.refuse("nodes", fmt::format("{}", given_.nodes.size()), fmt::format("must be {}", count));
+  std::ranges::sort(given_.nodes, {}, &GivenNode::tag);
+  const auto twin = std::ranges::adjacent_find(given_.nodes, {}, &GivenNode::tag);
+  if (twin != given_.nodes.end()) lines_.refuse("node", fmt::format("{}", twin->tag), "must be given once");
+  end("$EndNodes");
+}
 
 }  // namespace
 

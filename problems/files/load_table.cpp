@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/files/number_mistake.hpp"
 #include "problems/files/text_lines.hpp"
 #include "problems/files/toml_tree.hpp"
 

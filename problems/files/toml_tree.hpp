@@ -69,4 +69,11 @@ bool has_control_characters(std::string_view text);
 /// "...": for one-line messages, safe on a terminal.
 std::string one_line(std::string_view text, std::size_t length = 60);
 
+/// What a text that is no number most likely suffers from, "; a decimal comma ..." to end a message with;
+/// empty for none of the common mistakes: a decimal comma, a minus sign of a text processor.
+std::string number_mistake(std::string_view text);
+
+/// number_mistake of a line of TOML, behind = where it is a comma: between brackets a comma parts numbers.
+std::string toml_number_mistake(std::string_view line);
+
 }  // namespace signorini

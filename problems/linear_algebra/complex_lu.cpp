@@ -52,9 +52,8 @@ Eigen::VectorXcd lu_solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b) 
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& A) { return ComplexLuFactors(A).inverse(); }
 
 bool invert(Eigen::MatrixXcd& A) {
-  constexpr int kMost = static_cast<int>(kMostInverted);
-  using Small =
-      Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMost, kMost>;
+  using Small = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                              kMostInverted, kMostInverted>;
   const Eigen::PartialPivLU<Small> lu{Small(A)};
   for (const std::complex<double>& pivot : lu.matrixLU().diagonal())
     if (!(modulus(pivot) > 0.0)) return false;

@@ -44,7 +44,7 @@ Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& A);
 
 /// Rows up to which `invert` takes less than factors and an estimate of their condition: these are calls and
 /// memory, not arithmetic.
-inline constexpr Eigen::Index kMostInverted = 8;
+inline constexpr int kMostInverted = 8;
 
 /// A <- A^-1, of kMostInverted rows at most, by partial pivoting without a call for memory. \return false,
 /// and A as it was, where a pivot is zero or not a number

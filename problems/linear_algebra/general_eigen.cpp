@@ -14,25 +14,17 @@ namespace signorini {
 
 using Complex = std::complex<double>;
 
-GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
+namespace {
+
+GeneralEigen general_pairs(const Eigen::MatrixXd& A, bool with_vectors) {
   if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
   if (!A.allFinite()) return {};
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, with_vectors);
   if (solver.info() != Eigen::Success) return {};
-  return {.converged = true, .values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
+  GeneralEigen found{.converged = true, .values = solver.eigenvalues(), .vectors = {}};
+  if (with_vectors) found.vectors = solver.eigenvectors();
+  return found;
 }
-
-Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const GeneralEigen found = [&]() -> GeneralEigen {
-    if (A.rows() == 0 || !A.allFinite()) return {};
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
-    return {.converged = solver.info() == Eigen::Success, .values = solver.eigenvalues(), .vectors = {}};
-  }();
-  return found.converged ? found.values : Eigen::VectorXcd::Constant(A.rows(), Complex(kNone, kNone));
-}
-
-namespace {
 
 // Orthonormal columns Q of the Krylov space of P from its images of columns that know nothing of it.
 Eigen::MatrixXd krylov_basis(const Eigen::MatrixXd& P, Eigen::Index starts, Eigen::Index columns) {
@@ -66,7 +58,7 @@ struct RitzPairs {
 };
 RitzPairs ritz_pairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
   const Eigen::MatrixXd image_of_Q = product(A, Q);
-  const GeneralEigen small = general_eigen(product_of_transposed(Q, image_of_Q));
+  const GeneralEigen small = general_pairs(product_of_transposed(Q, image_of_Q), true);
   if (!small.converged) return {};
   std::vector<Eigen::Index> order(static_cast<std::size_t>(small.values.size()));
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
@@ -87,6 +79,14 @@ RitzPairs ritz_pairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
 }
 
 }  // namespace
+
+GeneralEigen general_eigen(const Eigen::MatrixXd& A) { return general_pairs(A, true); }
+
+Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const GeneralEigen found = general_pairs(A, false);
+  return found.converged ? found.values : Eigen::VectorXcd::Constant(A.rows(), Complex(kNone, kNone));
+}
 
 Eigen::VectorXcd leading_eigenvalues(const Eigen::MatrixXd& A, double tolerance) {
   constexpr int kSquared = 3;

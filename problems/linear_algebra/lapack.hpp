@@ -4,6 +4,7 @@
 // With a work space of size -1 it tells the best size in its first entry and does nothing else.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 
 extern "C" {
@@ -35,6 +36,8 @@ namespace signorini {
 inline constexpr int kLeastForLapack = 32;
 
 /// Whether A, m x n, goes to LAPACK: large enough, and finite, for its iterations may not end on NaN.
-bool is_for_lapack(const Eigen::MatrixXd& A);
+inline bool is_for_lapack(const Eigen::MatrixXd& A) {
+  return std::min(A.rows(), A.cols()) >= kLeastForLapack && A.allFinite();
+}
 
 }  // namespace signorini

@@ -1,7 +1,5 @@
 #include "problems/linear_algebra/lu.hpp"
 
-#include <utility>
-
 #include "problems/linear_algebra/lapack.hpp"
 
 namespace signorini {

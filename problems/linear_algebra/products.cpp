@@ -139,10 +139,7 @@ Eigen::VectorXcd image_of_complex_by_transposed(const Eigen::MatrixXd& A, const 
 Eigen::VectorXd image_by_columns(const Eigen::MatrixXd& A, const std::vector<int>& J,
                                  const Eigen::VectorXd& v) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(A.rows());
-  for (std::size_t j = 0; j < J.size(); ++j) {
-    const double factor = v[static_cast<Index>(j)];
-    for (Index i = 0; i < A.rows(); ++i) result[i] += factor * A(i, J[j]);
-  }
+  for (std::size_t j = 0; j < J.size(); ++j) result += v[static_cast<Index>(j)] * A.col(J[j]);
   return result;
 }
 
@@ -157,36 +154,18 @@ Eigen::VectorXd image_by_transposed_columns(const Eigen::MatrixXd& A, const std:
   return result;
 }
 
-Eigen::MatrixXd columns_of(const Eigen::MatrixXd& A, const std::vector<int>& J) {
-  Eigen::MatrixXd result(A.rows(), static_cast<Index>(J.size()));
-  for (std::size_t j = 0; j < J.size(); ++j) result.col(static_cast<Index>(j)) = A.col(J[j]);
-  return result;
-}
+Eigen::MatrixXd columns_of(const Eigen::MatrixXd& A, const std::vector<int>& J) { return A(Eigen::all, J); }
 
-Eigen::MatrixXcd rows_of(const Eigen::MatrixXcd& A, const std::vector<int>& I) {
-  Eigen::MatrixXcd result(static_cast<Index>(I.size()), A.cols());
-  for (Index j = 0; j < result.cols(); ++j)
-    for (Index i = 0; i < result.rows(); ++i) result(i, j) = A(I[static_cast<std::size_t>(i)], j);
-  return result;
-}
+Eigen::MatrixXcd rows_of(const Eigen::MatrixXcd& A, const std::vector<int>& I) { return A(I, Eigen::all); }
 
 Eigen::MatrixXd block_of(const Eigen::MatrixXd& A, const std::vector<int>& I, const std::vector<int>& J) {
-  Eigen::MatrixXd result(static_cast<Index>(I.size()), static_cast<Index>(J.size()));
-  for (Index j = 0; j < result.cols(); ++j)
-    for (Index i = 0; i < result.rows(); ++i)
-      result(i, j) = A(I[static_cast<std::size_t>(i)], J[static_cast<std::size_t>(j)]);
-  return result;
+  return A(I, J);
 }
 
-Eigen::VectorXd entries_of(const Eigen::VectorXd& v, const std::vector<int>& I) {
-  Eigen::VectorXd result(static_cast<Index>(I.size()));
-  for (Index i = 0; i < result.size(); ++i) result[i] = v[I[static_cast<std::size_t>(i)]];
-  return result;
-}
+Eigen::VectorXd entries_of(const Eigen::VectorXd& v, const std::vector<int>& I) { return v(I); }
 
 void set_rows(Eigen::MatrixXd& A, const std::vector<int>& I, const Eigen::MatrixXd& B) {
-  for (Index j = 0; j < B.cols(); ++j)
-    for (Index i = 0; i < B.rows(); ++i) A(I[static_cast<std::size_t>(i)], j) = B(i, j);
+  A(I, Eigen::all) = B;
 }
 
 }  // namespace signorini

@@ -11,18 +11,7 @@ namespace signorini {
 
 namespace {
 
-// Of a matrix that is not finite, on which LAPACK may loop for ever and Eigen leaves its arrays unwritten.
-SingularValues without_answer(Eigen::Index values, Eigen::Index rows, Eigen::Index left, Eigen::Index right) {
-  return {.values = Eigen::VectorXd::Constant(values, std::numeric_limits<double>::quiet_NaN()),
-          .U = Eigen::MatrixXd::Constant(rows, left, std::numeric_limits<double>::quiet_NaN()),
-          .V = Eigen::MatrixXd::Constant(right, right, std::numeric_limits<double>::quiet_NaN())};
-}
-
-// Of a matrix without rows or columns, which Eigen does not take: all of space is its null space.
-SingularValues of_nothing(Eigen::Index rows, Eigen::Index left, Eigen::Index right) {
-  return {
-      .values = {}, .U = Eigen::MatrixXd::Identity(rows, left), .V = Eigen::MatrixXd::Identity(right, right)};
-}
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // By divide and conquer; job as of dgesdd.
 SingularValues singular_by_lapack(Eigen::MatrixXd A, char job) {
@@ -42,46 +31,50 @@ SingularValues singular_by_lapack(Eigen::MatrixXd A, char job) {
   solve(&best, -1);
   std::vector<double> work(static_cast<std::size_t>(best));
   solve(work.data(), static_cast<int>(work.size()));
-  if (info != 0) result.values.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (info != 0) result.values.setConstant(kNone);
   result.V = transposed.transpose();
+  return result;
+}
+
+// With `left` columns of U and `right` of V; job and options say so to dgesdd and to Eigen.
+SingularValues singular_parts(const Eigen::MatrixXd& A, char job, unsigned options, Eigen::Index left,
+                              Eigen::Index right) {
+  using Eigen::MatrixXd;
+  // Without rows or columns, which Eigen does not take: all of space is the null space.
+  if (A.size() == 0)
+    return {.values = {}, .U = MatrixXd::Identity(A.rows(), left), .V = MatrixXd::Identity(right, right)};
+  // What is not finite LAPACK may loop on for ever, and Eigen leaves its arrays unwritten.
+  if (!A.allFinite())
+    return {.values = Eigen::VectorXd::Constant(std::min(A.rows(), A.cols()), kNone),
+            .U = MatrixXd::Constant(A.rows(), left, kNone),
+            .V = MatrixXd::Constant(right, right, kNone)};
+  if (is_for_lapack(A)) return singular_by_lapack(A, job);
+  const Eigen::JacobiSVD<MatrixXd> svd(A, options);
+  SingularValues result{.values = svd.singularValues(), .U = {}, .V = {}};
+  if (svd.computeU()) result.U = svd.matrixU();
+  if (svd.computeV()) result.V = svd.matrixV();
   return result;
 }
 
 }  // namespace
 
 SingularValues singular_vectors(const Eigen::MatrixXd& A) {
-  if (A.size() == 0) return of_nothing(A.rows(), A.rows(), A.cols());
-  if (!A.allFinite()) return without_answer(std::min(A.rows(), A.cols()), A.rows(), A.rows(), A.cols());
-  if (is_for_lapack(A)) return singular_by_lapack(A, 'A');
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return {.values = svd.singularValues(), .U = svd.matrixU(), .V = svd.matrixV()};
+  return singular_parts(A, 'A', Eigen::ComputeFullU | Eigen::ComputeFullV, A.rows(), A.cols());
 }
 
 SingularValues left_singular_vectors(const Eigen::MatrixXd& A) {
-  if (A.size() == 0) return of_nothing(A.rows(), 0, 0);
-  const Eigen::Index least = std::min(A.rows(), A.cols());
-  if (!A.allFinite()) return without_answer(least, A.rows(), least, 0);
-  if (is_for_lapack(A)) {
-    SingularValues found = singular_by_lapack(A, 'S');
-    found.V.resize(0, 0);
-    return found;
-  }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeThinU);
-  return {.values = svd.singularValues(), .U = svd.matrixU(), .V = {}};
+  SingularValues found = singular_parts(A, 'S', Eigen::ComputeThinU, std::min(A.rows(), A.cols()), 0);
+  found.V.resize(0, 0);
+  return found;
 }
 
 Eigen::MatrixXd right_singular_vectors(const Eigen::MatrixXd& A) {
-  if (A.size() == 0) return of_nothing(0, 0, A.cols()).V;
-  if (!A.allFinite()) return without_answer(0, 0, 0, A.cols()).V;
-  if (is_for_lapack(A)) return singular_by_lapack(A, 'A').V;
-  return Eigen::JacobiSVD<Eigen::MatrixXd>(A, Eigen::ComputeFullV).matrixV();
+  return singular_parts(A, 'A', Eigen::ComputeFullV, 0, A.cols()).V;
 }
 
 double least_singular_value(const Eigen::MatrixXd& A) {
   if (A.size() == 0) return std::numeric_limits<double>::infinity();
-  if (!A.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-  const Eigen::VectorXd values = is_for_lapack(A) ? singular_by_lapack(A, 'N').values
-                                                  : Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+  const Eigen::VectorXd values = singular_parts(A, 'N', 0, 0, 0).values;
   return values[values.size() - 1];
 }
 

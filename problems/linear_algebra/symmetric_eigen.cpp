@@ -58,23 +58,20 @@ SymmetricEigen found_by_lapack(const Eigen::MatrixXd& A, char job, const Eigen::
   return result;
 }
 
-}  // namespace
-
-SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A) {
+SymmetricEigen symmetric_pairs(const Eigen::MatrixXd& A, bool with_vectors) {
   if (A.rows() == 0) return {.converged = true, .values = {}, .vectors = {}};
   if (!lower_finite(A)) return {};
-  if (A.rows() >= kLeastForLapack) return found_by_lapack(A, 'V');
-  return taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A), true);
+  if (A.rows() >= kLeastForLapack) return found_by_lapack(A, with_vectors ? 'V' : 'N');
+  const int options = with_vectors ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly;
+  return taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, options), with_vectors);
 }
 
+}  // namespace
+
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A) { return symmetric_pairs(A, true); }
+
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A) {
-  SymmetricEigen found;
-  if (A.rows() > 0 && lower_finite(A)) {
-    found =
-        A.rows() >= kLeastForLapack
-            ? found_by_lapack(A, 'N')
-            : taken_from(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A, Eigen::EigenvaluesOnly), false);
-  }
+  SymmetricEigen found = symmetric_pairs(A, false);
   if (found.converged) return std::move(found.values);
   return Eigen::VectorXd::Constant(A.rows(), std::numeric_limits<double>::quiet_NaN());
 }

@@ -57,8 +57,7 @@ std::vector<fs::path> shipped_files(const char* folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(problems_folder() / folder, none)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end(),
-            [](const fs::path& a, const fs::path& b) { return a.stem().string() < b.stem().string(); });
+  std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem().string(); });
   return files;
 }
 
@@ -76,7 +75,8 @@ SceneSource find_scene(const std::string& name_or_path) {
   const std::size_t at = name_or_path.rfind('@');
   const std::string base = name_or_path.substr(0, at);
   const std::string level = at == std::string::npos ? "" : name_or_path.substr(at + 1);
-  if (base.find('/') != std::string::npos || base.ends_with(".toml")) {
+  const bool is_path = base.find('/') != std::string::npos || base.ends_with(".toml");
+  if (is_path) {
     if (is_file(base)) return {base, level};
   } else {
     for (const char* folder : {"catalogue", "families", "populations"}) {
@@ -85,7 +85,6 @@ SceneSource find_scene(const std::string& name_or_path) {
     }
   }
   const std::string hint = suggestion(fs::path(base).stem().string(), shipped_names());
-  const bool is_path = base.find('/') != std::string::npos || base.ends_with(".toml");
   std::error_code ignored;
   if (is_path && !fs::exists(base, ignored))
     throw SceneError(fmt::format("scene = {} (must exist: there is no such file{})", name_or_path, hint));

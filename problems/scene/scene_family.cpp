@@ -9,13 +9,12 @@
 #include <random>
 #include <set>
 
+#include "problems/files/text_lines.hpp"
 #include "problems/scene/scene_field.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr std::string_view kValues = "must be a table of places in this file, each with a list of values";
 
 std::vector<double> read_levels(const SceneField& family) {
   constexpr std::string_view kRequirement = "must be a list of different numbers, easiest first";
@@ -36,7 +35,8 @@ std::vector<double> read_levels(const SceneField& family) {
 
 // Writes the value of this level to every place that the family names.
 void write_values(TomlNode& document, const SceneField& values, std::size_t level, std::size_t levels) {
-  if (!values.is_table() || values.keys().empty()) values.refuse(kValues);
+  if (!values.is_table() || values.keys().empty())
+    values.refuse("must be a table of places in this file, each with a list of values");
   for (const std::string& path : values.keys()) {
     const SceneField given = values[path];
     const std::string requirement = fmt::format(
@@ -50,8 +50,7 @@ void write_values(TomlNode& document, const SceneField& values, std::size_t leve
 
 TomlNode take_out(TomlNode& document, std::string_view key) {
   auto& entries = std::get<TomlTable>(document.value);
-  const auto entry = std::find_if(entries.begin(), entries.end(),
-                                  [&](const TomlEntry& candidate) { return candidate.key == key; });
+  const auto entry = std::ranges::find(entries, key, &TomlEntry::key);
   TomlNode value = std::move(entry->value);
   entries.erase(entry);
   return value;
@@ -68,12 +67,7 @@ double share_of(std::uint64_t seed, int number, std::string_view name) {
 }
 
 // A number of six digits, as a person would write it into the file.
-double six_digits(double value) {
-  const std::string text = fmt::format("{:.6g}", value);
-  double rounded = value;
-  std::from_chars(text.data(), text.data() + text.size(), rounded);
-  return rounded;
-}
+double six_digits(double value) { return number_of<double>(fmt::format("{:.6g}", value)).value_or(value); }
 
 double drawn_from(const SceneField& range, double share) {
   constexpr std::string_view kEnds = "must be a number, above 0 for a logarithmic range";
@@ -115,14 +109,12 @@ void write_drawn(TomlNode& document, const SceneField& range, const SceneInstanc
 
 // Seed and number of a label "7-3".
 std::optional<SceneInstance> instance_of_label(std::string_view label) {
-  SceneInstance instance;
-  const char* const end = label.data() + label.size();
-  const auto seed = std::from_chars(label.data(), end, instance.seed);
-  if (seed.ec != std::errc() || seed.ptr == end || *seed.ptr != '-') return std::nullopt;
-  const auto number = std::from_chars(seed.ptr + 1, end, instance.number);
-  if (number.ec != std::errc() || number.ptr != end || instance.number < 1) return std::nullopt;
-  if (instance_label(instance.seed, instance.number) != label) return std::nullopt;  // "07-3"
-  return instance;
+  const std::size_t dash = std::min(label.find('-'), label.size());
+  const auto seed = number_of<std::uint64_t>(label.substr(0, dash));
+  const auto number = number_of<int>(label.substr(std::min(dash + 1, label.size())));
+  if (!seed || !number || *number < 1 || instance_label(*seed, *number) != label)  // "07-3"
+    return std::nullopt;
+  return SceneInstance{.seed = *seed, .number = *number};
 }
 
 std::string shortest(double value, std::chars_format format) {
@@ -167,8 +159,7 @@ std::optional<FamilyLevel> choose_level(TomlNode& document, const std::string& f
   }
   asked.allow_only({"parameter", "levels", "values"}, "must be a table with parameter, levels and values");
   const std::vector<double> levels = read_levels(asked);
-  const auto chosen =
-      std::find_if(levels.begin(), levels.end(), [&](double level) { return means(label, level); });
+  const auto chosen = std::ranges::find_if(levels, [&](double level) { return means(label, level); });
   if (chosen == levels.end()) {
     asked["levels"].refuse(fmt::format("must hold the level asked for, {}, as in NAME@{}",
                                        label.empty() ? "none" : label, level_label(levels.front())));

@@ -7,12 +7,6 @@
 
 namespace signorini {
 
-namespace {
-
-constexpr std::size_t kLongestPath = 200;  // bytes in a message: keys are a stranger's text
-
-}  // namespace
-
 SceneField::SceneField(const TomlNode& document, const std::string& file)
     : SceneField(&document, "", document.line, &file) {}
 
@@ -58,12 +52,25 @@ void SceneField::allow_only(std::initializer_list<std::string_view> keys,
   }
 }
 
+bool SceneField::has_any(std::initializer_list<std::string_view> keys) const {
+  return std::ranges::any_of(keys, [&](std::string_view key) { return (*this)[key].given(); });
+}
+
+void SceneField::forbid(std::initializer_list<std::string_view> keys, std::string_view why) const {
+  for (const std::string_view key : keys)
+    if ((*this)[key].given()) (*this)[key].refuse(fmt::format("must be absent: {}", why));
+}
+
 std::vector<SceneField> SceneField::items(std::string_view requirement, std::size_t count) const {
   const auto* array = as<TomlArray>();
   if (array == nullptr || array->empty() || (count != 0 && array->size() != count)) refuse(requirement);
   std::vector<SceneField> fields;
   for (std::size_t i = 0; i < array->size(); ++i) fields.push_back(item(i));
   return fields;
+}
+
+std::vector<SceneField> SceneField::items_or_none(std::string_view requirement) const {
+  return given() ? items(requirement) : std::vector<SceneField>();
 }
 
 double SceneField::number(std::string_view requirement, double least) const {
@@ -74,8 +81,8 @@ double SceneField::number(std::string_view requirement, double least) const {
   return value;
 }
 
-double SceneField::number_or(double otherwise, std::string_view requirement) const {
-  return given() ? number(requirement) : otherwise;
+double SceneField::number_or(double otherwise, std::string_view requirement, double least) const {
+  return given() ? number(requirement, least) : otherwise;
 }
 
 int SceneField::whole(std::string_view requirement, int least, int most) const {
@@ -86,6 +93,10 @@ int SceneField::whole(std::string_view requirement, int least, int most) const {
            fmt::format("{}: {:.0f}, without a decimal point", requirement, *real));
   if (value == nullptr || *value < least || *value > most) refuse(requirement);
   return static_cast<int>(*value);
+}
+
+int SceneField::in_range(std::string_view what, int least, int most) const {
+  return whole(fmt::format("must be {}, {}..{}", what, least, most), least, most);
 }
 
 int SceneField::whole_or(int otherwise, std::string_view requirement, int least, int most) const {
@@ -100,12 +111,15 @@ bool SceneField::truth(std::string_view requirement) const {
 
 std::string SceneField::text(std::string_view requirement) const {
   const auto* value = as<std::string>();
-  if (value == nullptr) refuse(requirement);
-  const bool one_line_only = std::none_of(value->begin(), value->end(), [](char c) {
-    return static_cast<unsigned char>(c) < 0x20U || c == '\x7F';
-  });
-  if (!one_line_only) refuse(requirement);
+  if (value == nullptr || has_control_characters(*value)) refuse(requirement);
   return *value;
+}
+
+std::string SceneField::one_of(const std::vector<std::string_view>& words, std::string_view remark) const {
+  const std::string requirement = fmt::format("must be {}{}", alternatives(words), remark);
+  const std::string word = text(requirement);
+  if (std::ranges::find(words, word) == words.end()) refuse(requirement);
+  return word;
 }
 
 void SceneField::refuse(std::string_view requirement) const {
@@ -113,8 +127,13 @@ void SceneField::refuse(std::string_view requirement) const {
 }
 
 void SceneField::refuse(std::string_view found, std::string_view requirement) const {
+  constexpr std::size_t kLongestPath = 200;  // bytes: keys are a stranger's text
   throw SceneError(
       fmt::format("{}:{}: {} = {} ({})", *file_, line_, one_line(path_, kLongestPath), found, requirement));
+}
+
+std::string alternatives(const std::vector<std::string_view>& words) {
+  return fmt::format("\"{}\" or \"{}\"", fmt::join(words.begin(), words.end() - 1, "\", \""), words.back());
 }
 
 }  // namespace signorini

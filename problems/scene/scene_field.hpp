@@ -43,19 +43,32 @@ class SceneField {
 
   /// Refuses anything but a table, and in it any key but these.
   void allow_only(std::initializer_list<std::string_view> keys, std::string_view requirement) const;
+  /// Whether one of these entries of a table is given.
+  [[nodiscard]] bool has_any(std::initializer_list<std::string_view> keys) const;
+  /// Refuses each of these entries of a table that is given: it must be absent, and why.
+  void forbid(std::initializer_list<std::string_view> keys, std::string_view why) const;
   /// Items of an array; refuses an empty one, and one of another length than `count` if that is given.
   [[nodiscard]] std::vector<SceneField> items(std::string_view requirement, std::size_t count = 0) const;
+  /// The same; none where nothing is given.
+  [[nodiscard]] std::vector<SceneField> items_or_none(std::string_view requirement) const;
   /// A finite number, >= least if that is given; TOML integers will do.
   [[nodiscard]] double number(std::string_view requirement,
                               double least = std::numeric_limits<double>::lowest()) const;
-  [[nodiscard]] double number_or(double otherwise, std::string_view requirement) const;
+  /// The same; `otherwise` where nothing is given.
+  [[nodiscard]] double number_or(double otherwise, std::string_view requirement,
+                                 double least = std::numeric_limits<double>::lowest()) const;
   /// A whole number in least..most.
   [[nodiscard]] int whole(std::string_view requirement, int least, int most) const;
+  /// The same, which a refusal says: must be `what`, least..most.
+  [[nodiscard]] int in_range(std::string_view what, int least, int most) const;
   [[nodiscard]] int whole_or(int otherwise, std::string_view requirement, int least, int most) const;
   /// True or false.
   [[nodiscard]] bool truth(std::string_view requirement) const;
   /// A string without line breaks and other control characters.
   [[nodiscard]] std::string text(std::string_view requirement) const;
+  /// One of these words; a refusal lists them, and adds the remark.
+  [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words,
+                                   std::string_view remark = {}) const;
 
   /// \throws SceneError with the value found, or `missing`
   [[noreturn]] void refuse(std::string_view requirement) const;
@@ -76,5 +89,8 @@ class SceneField {
   int line_;
   const std::string* file_;
 };
+
+/// "\"a\", \"b\" or \"c\"", for messages. \param words  two or more
+std::string alternatives(const std::vector<std::string_view>& words);
 
 }  // namespace signorini

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 #include "problems/files/input_file.hpp"
 #include "problems/files/kebab_case.hpp"
 #include "problems/files/toml_tree.hpp"
-#include "problems/scene/scene_document.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
 #include "problems/validation.hpp"
@@ -17,8 +15,6 @@
 namespace signorini {
 
 namespace {
-
-constexpr int kSchema = 1;
 
 std::string read_name(const SceneField& field) {
   constexpr std::string_view kRequirement =
@@ -34,9 +30,7 @@ std::string read_optional_text(const SceneField& field) {
 
 std::vector<std::string> read_tags(const SceneField& field) {
   std::vector<std::string> tags;
-  if (!field.given()) return tags;
-  constexpr std::string_view kRequirement = "must be a list of words; left out if there is none";
-  for (const SceneField& item : field.items(kRequirement)) {
+  for (const SceneField& item : field.items_or_none("must be a list of words; left out if there is none")) {
     tags.push_back(item.text("must be a word"));
     if (tags.back().empty()) item.refuse("must be a word");
   }
@@ -44,7 +38,7 @@ std::vector<std::string> read_tags(const SceneField& field) {
 }
 
 SceneHeader read_header(const SceneField& document, SceneVariant variant) {
-  std::ignore = document["schema"].whole("must be 1", kSchema, kSchema);  // first: others may have other keys
+  std::ignore = document["schema"].whole("must be 1", 1, 1);  // first: others may have other keys
   document.allow_only(
       {"schema", "name", "title", "reference", "tags", "system", "forcing", "base", "contact", "law"},
       "must be a table");
@@ -96,24 +90,13 @@ SceneField as_written(const SceneField& document, const ReadScene& scene, const 
   if (path.starts_with("frame[")) return document["contact"];
   if (path.starts_with(kContact)) {
     const std::string key = path.substr(path.find(']') + 1);
-    if (key == ".restitution" || key == ".penalty" || key == ".damper")
-      return law_field_as_written(document, scene.contact_tables, std::stoul(path.substr(kContact.size())),
-                                  key.substr(1));
+    if (key != ".restitution" && key != ".penalty" && key != ".damper")
+      return document.at(with_table(path, kContact, scene.contact_tables));
+    return law_field_as_written(document, scene.contact_tables, std::stoul(path.substr(kContact.size())),
+                                key.substr(1));
   }
-  if (path.starts_with(kContact)) return document.at(with_table(path, kContact, scene.contact_tables));
   if (path.starts_with("forcing.term[")) return document.at(origin_of_term(scene, path));
   return system_field_as_written(document, path);
-}
-
-// Every coordinate with a part in some contact, once.
-std::vector<int> contact_coordinates(const Problem& problem) {
-  std::set<int> coordinates;
-  for (const Contact& contact : problem.contacts) {
-    for (const auto& [dof, coefficient] : contact.normal) {
-      if (coefficient != 0.0) coordinates.insert(dof);
-    }
-  }
-  return {coordinates.begin(), coordinates.end()};
 }
 
 void mark_derived(ReadScene& scene, std::string origin) {
@@ -172,7 +155,7 @@ void read_scene(const SceneField& document, SceneVariant variant, ReadScene& sce
   const std::vector<DampedStop> damped = read_laws(document, contacts);
   problem.contacts = contacts.things;
   scene.contact_tables = contacts.tables;
-  problem.structure = system.assemble(contact_coordinates(problem));
+  problem.structure = system.assemble(contact_coordinates(problem.contacts));
   read_stops(document, system, contacts, damped, scene);
   const double omega = problem.frequency;
   problem = at_frequency(std::move(problem), omega);

@@ -78,6 +78,24 @@ struct SceneWithSources {
 SceneWithSources parse_scene_with_sources(std::string_view text, const std::string& name,
                                           std::string_view level = {});
 
+// The steps between a file and its Problem, for readers that change the document in between.
+
+/// All text of a scene file. \throws SceneError where it is missing, unreadable or too large
+std::string read_scene_text(const std::filesystem::path& path);
+
+/// How much of a scene is checked.
+enum class SceneChecks {
+  all,      ///< as load_scene does
+  reading,  ///< the document, but not whether its numbers make a scene
+};
+
+/// The scene of a document.
+/// \param name    of the file, in messages
+/// \param variant  what choose_variant has made of it
+/// \throws SceneError as parse_scene does
+SceneWithSources read_scene_document(const TomlNode& document, const std::string& name,
+                                     const SceneVariant& variant, SceneChecks checks = SceneChecks::all);
+
 /// Folder that holds catalogue/, families/, populations/ and suites/: $SIGNORINI_PROBLEMS if set; else the
 /// one installed with the program that runs, in share/signorini; else that of the sources. \throws SceneError
 /// if it is gone

@@ -14,12 +14,8 @@ namespace signorini {
 namespace {
 
 constexpr int kMostElements = 100000;
-constexpr int kMostBeams = 100;
-constexpr int kMostCoordinates = 1000000;  // of a block: 2 GB of matrices
 
-int read_element_count(const SceneField& field) {
-  return field.whole(fmt::format("must be a whole number, 1..{}", kMostElements), 1, kMostElements);
-}
+int read_element_count(const SceneField& field) { return field.in_range("a whole number", 1, kMostElements); }
 
 // Before damping is made of it, so that the complaint names the culprit.
 void require_finite(const SparseMatrix& A, const std::string& field) {
@@ -46,6 +42,7 @@ BlockMesh read_mesh(const SceneField& system) {
     mesh.elements[a] = read_element_count(bricks[a]);
     mesh.lengths[a] = read_positive(lengths[a], "[m]");
   }
+  constexpr int kMostCoordinates = 1000000;  // 2 GB of matrices
   const double size = 3.0 * mesh.elements[0] * (mesh.elements[1] + 1.0) * (mesh.elements[2] + 1.0);
   if (size > kMostCoordinates) {
     elements.refuse(fmt::format("{:.0f} coordinates", size),
@@ -60,6 +57,10 @@ double read_positive(const SceneField& field, std::string_view unit) {
   return field.number(fmt::format("must be a positive number {}", unit), kLeastPositive);
 }
 
+double read_nonnegative(const SceneField& field, std::string_view unit) {
+  return field.number(fmt::format("must be a number >= 0 {}", unit), 0.0);
+}
+
 double read_poisson(const SceneField& field) {
   constexpr std::string_view kRequirement = "must be a number between -1 and 0.5 [-]";
   const double poisson = field.number(kRequirement);
@@ -68,13 +69,10 @@ double read_poisson(const SceneField& field) {
 }
 
 ContactMass read_contact_mass(const SceneField& field) {
-  constexpr std::string_view kRequirement = "must be \"consistent\", \"lumped\" or \"massless\"";
   if (!field.given()) return ContactMass::consistent;
-  const std::string word = field.text(kRequirement);
+  const std::string word = field.one_of({"consistent", "lumped", "massless"});
   if (word == "lumped") return ContactMass::lumped;
-  if (word == "massless") return ContactMass::massless;
-  if (word != "consistent") field.refuse(kRequirement);
-  return ContactMass::consistent;
+  return word == "massless" ? ContactMass::massless : ContactMass::consistent;
 }
 
 SystemDescription damped_structure(SystemLayout layout, Assembly undamped, DampingModel damping, int size) {
@@ -115,22 +113,19 @@ ModalDamping read_modal(const SceneField& modal, int size) {
 }
 
 ProportionalDamping read_rayleigh(const SceneField& rayleigh) {
-  const auto read = [&](std::string_view key, std::string_view unit) {
-    const SceneField field = rayleigh[key];
-    return field.given() ? field.number(fmt::format("must be a number >= 0 {}", unit), 0.0) : 0.0;
-  };
-  return {.alpha = read("alpha", "[1/s]"), .beta = read("beta", "[s]")};
+  return {.alpha = rayleigh["alpha"].number_or(0.0, "must be a number >= 0 [1/s]", 0.0),
+          .beta = rayleigh["beta"].number_or(0.0, "must be a number >= 0 [s]", 0.0)};
 }
 
 DampingModel read_damping(const SceneField& damping, int size) {
   constexpr std::string_view kRequirement = "must be { alpha = .., beta = .. } or { modal = .. }";
   damping.allow_only({"alpha", "beta", "modal"}, kRequirement);
-  const SceneField modal = damping["modal"];
-  const bool rayleigh = damping["alpha"].given() || damping["beta"].given();
-  if (modal.given() && rayleigh) modal.refuse("must be absent: alpha or beta is given");
-  if (modal.given()) return read_modal(modal, size);
-  if (!rayleigh) damping.refuse(kRequirement);
-  return read_rayleigh(damping);
+  if (damping.has_any({"alpha", "beta"})) {
+    damping.forbid({"modal"}, "alpha or beta is given");
+    return read_rayleigh(damping);
+  }
+  if (!damping["modal"].given()) damping.refuse(kRequirement);
+  return read_modal(damping["modal"], size);
 }
 
 SystemDescription read_bar(const SceneField& system) {
@@ -149,12 +144,13 @@ SystemDescription read_beam(const SceneField& system) {
   system.allow_only({"kind", "elements", "count", "length", "area", "inertia", "young", "density", "damping",
                      "contact_mass"},
                     "must be a table");
+  constexpr int kMostBeams = 100;
   Beam beam = read_section_and_material(system);
-  beam.count =
-      system["count"].whole_or(1, fmt::format("must be a whole number, 1..{}", kMostBeams), 1, kMostBeams);
+  const SceneField count = system["count"];
+  if (count.given()) beam.count = count.in_range("a whole number", 1, kMostBeams);
   if (beam.elements * beam.count > kMostElements) {
-    system["count"].refuse(fmt::format("{} beams of {} elements", beam.count, beam.elements),
-                           fmt::format("must make at most {} elements in all", kMostElements));
+    count.refuse(fmt::format("{} beams of {} elements", beam.count, beam.elements),
+                 fmt::format("must make at most {} elements in all", kMostElements));
   }
   beam.contact_mass = read_contact_mass(system["contact_mass"]);
   const int size = 2 * beam.elements * beam.count;
@@ -177,7 +173,7 @@ SystemDescription read_block(const SceneField& system) {
 double read_polar_inertia(const SceneField& field, double diametral) {
   const std::string requirement =
       fmt::format("must be in 0..{:g}, twice disc_inertia [kg m^2]", 2.0 * diametral);
-  const double inertia = field.given() ? field.number(requirement, 0.0) : 0.0;
+  const double inertia = field.number_or(0.0, requirement, 0.0);
   if (inertia > 2.0 * diametral) field.refuse(requirement);
   return inertia;
 }
@@ -198,23 +194,19 @@ SystemDescription read_shaft(const SceneField& system) {
       "must be a table");
   Shaft shaft{.beam = read_section_and_material(system)};
   const int last = shaft.beam.elements;
-  shaft.disc_mass = system["disc_mass"].number("must be a number >= 0 [kg]", 0.0);
-  shaft.disc_node =
-      system["disc_node"].whole(fmt::format("must be a node of the shaft, 0..{}", last), 0, last);
+  shaft.disc_mass = read_nonnegative(system["disc_mass"], "[kg]");
+  shaft.disc_node = system["disc_node"].in_range("a node of the shaft", 0, last);
   shaft.bearing_stiffness = read_positive(system["bearing_stiffness"], "[N/m]");
-  shaft.bearing_damping = system["bearing_damping"].number("must be a number >= 0 [N s/m]", 0.0);
-  shaft.disc_inertia = system["disc_inertia"].given()
-                           ? system["disc_inertia"].number("must be a number >= 0 [kg m^2]", 0.0)
-                           : 0.0;
+  shaft.bearing_damping = read_nonnegative(system["bearing_damping"], "[N s/m]");
+  shaft.disc_inertia = system["disc_inertia"].number_or(0.0, "must be a number >= 0 [kg m^2]", 0.0);
   shaft.polar_inertia = read_polar_inertia(system["disc_polar_inertia"], shaft.disc_inertia);
   const bool synchronous = read_spin(system["spin"], shaft.spin);
   const int size = 4 * (last + 1);
-  auto undamped = std::make_shared<Structure>(assemble(shaft));
-  std::vector<std::string> notices;
-  std::vector<int> held = hold_supports(*undamped, notices);
+  const auto undamped = std::make_shared<Structure>(assemble(shaft));
   SystemDescription description = damped_structure(
-      shaft, [undamped = std::move(undamped)](const std::vector<int>&) { return *undamped; },
-      read_damping(system["damping"], size), size);
+      shaft, [undamped](const std::vector<int>&) { return *undamped; }, read_damping(system["damping"], size),
+      size);
+  description.held = hold_supports(*undamped, description.notices);
   if (synchronous) {
     shaft.spin = 1.0;
     description.assemble = [standing = std::move(description.assemble),
@@ -224,8 +216,6 @@ SystemDescription read_shaft(const SceneField& system) {
       return structure;
     };
   }
-  description.held = std::move(held);
-  description.notices = std::move(notices);
   return description;
 }
 

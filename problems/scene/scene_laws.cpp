@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "problems/scene/scene_system.hpp"
 
@@ -9,11 +10,9 @@ namespace signorini {
 
 namespace {
 
-// The laws that one table gives to its contacts, in their order.
-struct TableLaws {
-  std::vector<ContactLaw> laws = {};
-  std::vector<double> dampers = {};  // beside springs, [N s/m]; empty: none
-};
+// The laws that one table gives to its contacts, in their order, and the dampers beside springs, 0: none
+// [N s/m].
+using TableLaws = std::vector<std::pair<ContactLaw, double>>;
 
 // One number for all contacts, or a list of one for each.
 std::vector<double> read_stop_constants(const SceneField& field, std::string_view unit,
@@ -34,29 +33,27 @@ std::optional<TableLaws> laws_of_table(const SceneField& table, std::size_t cont
   const SceneField restitution = table["restitution"], penalty = table["penalty"],
                    massless = table["massless"],
                    damper = table[table["damper"].given() ? "damper" : "damping"];
-  if (penalty.given() && restitution.given()) penalty.refuse("must be absent: restitution is given");
+  if (restitution.given()) table.forbid({"penalty"}, "restitution is given");
   if (damper.given() && !penalty.given())
     damper.refuse("must be absent: no penalty, a spring beside it, is given");
   if (massless.given()) {
     const auto* truth = std::get_if<bool>(&massless.node().value);
     if (truth == nullptr || !*truth) massless.refuse("must be true, or left out");
-    if (restitution.given() || penalty.given())
-      massless.refuse(
-          fmt::format("must be absent: {} is given", penalty.given() ? "penalty" : "restitution"));
-    return TableLaws{.laws = std::vector<ContactLaw>(contacts, Massless{})};
+    if (penalty.given()) table.forbid({"massless"}, "penalty is given");
+    if (restitution.given()) table.forbid({"massless"}, "restitution is given");
+    return TableLaws(contacts, {Massless{}, 0.0});
   }
-  TableLaws result;
-  if (restitution.given()) {
-    result.laws.assign(contacts, Restitution{restitution.number("must be in 0..1")});
-    return result;
-  }
+  if (restitution.given())
+    return TableLaws(contacts, {Restitution{restitution.number("must be in 0..1")}, 0.0});
   if (!penalty.given()) return std::nullopt;
+  TableLaws result;
   for (const double stiffness : read_stop_constants(penalty, "N/m", contacts))
-    result.laws.emplace_back(Spring{stiffness});
+    result.emplace_back(Spring{stiffness}, 0.0);
   if (!damper.given()) return result;
-  result.dampers = read_stop_constants(damper, "N s/m", contacts);
+  const std::vector<double> dampers = read_stop_constants(damper, "N s/m", contacts);
   for (std::size_t k = 0; k < contacts; ++k) {
-    if (result.dampers[k] > 0.0) continue;
+    result[k].second = dampers[k];
+    if (dampers[k] > 0.0) continue;
     (damper.is_array() ? damper.items("")[k] : damper).refuse("must be a positive number [N s/m]");
   }
   return result;
@@ -65,10 +62,8 @@ std::optional<TableLaws> laws_of_table(const SceneField& table, std::size_t cont
 // Gives contacts `first` and on their laws.
 void take_laws(const TableLaws& of_table, std::size_t first, std::vector<Contact>& contacts,
                std::vector<double>& dampers) {
-  for (std::size_t k = 0; k < of_table.laws.size(); ++k) {
-    contacts[first + k].law = of_table.laws[k];
-    dampers[first + k] = of_table.dampers.empty() ? 0.0 : of_table.dampers[k];
-  }
+  for (std::size_t k = 0; k < of_table.size(); ++k)
+    std::tie(contacts[first + k].law, dampers[first + k]) = of_table[k];
 }
 
 }  // namespace
@@ -125,8 +120,7 @@ SceneField law_field_as_written(const SceneField& document, const std::vector<in
   const std::string own_key = key == "damper" && !own[key].given() ? "damping" : key;
   if (own[own_key].given()) return among(own, own_key, contact - first);
   if (!document["law"].given() && std::ranges::any_of(tables, [&](int other) {
-        const SceneField at = document.at(fmt::format("contact[{}]", other));
-        return at["restitution"].given() || at["penalty"].given() || at["massless"].given();
+        return document.at(fmt::format("contact[{}]", other)).has_any({"restitution", "penalty", "massless"});
       }))
     return own[key];
   return among(document["law"], key == "damper" ? "damping" : key, contact);

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "problems/scene/scene_document.hpp"
 #include "problems/scene/scene_field.hpp"
 #include "problems/scene/scene_system.hpp"
 

@@ -10,9 +10,6 @@ namespace signorini {
 
 namespace {
 
-constexpr std::string_view kAmplitude = "must be a finite number";
-constexpr std::size_t kLargestTable = std::size_t{1} << 22U;  // [bytes]
-
 // Coordinates that a term acts on, each with its share.
 std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
                                                          const SystemDescription& system) {
@@ -20,14 +17,14 @@ std::vector<std::pair<int, double>> read_point_of_attack(const SceneField& term,
   const SceneField group = term["group"];
   const SceneField direction = term["direction"];
   if (!face.given() && !group.given()) {
-    if (direction.given()) direction.refuse("must be absent: neither a face nor a group is given");
+    term.forbid({"direction"}, "neither a face nor a group is given");
     return {{read_dof(term["dof"], system.size), 1.0}};
   }
-  const SceneField& spread = face.given() ? face : group;
-  if (term["dof"].given()) spread.refuse("must be absent: dof is given");
-  if (face.given() && group.given()) group.refuse("must be absent: face is given");
-  if (face.given())
+  if (term["dof"].given()) term.forbid({"face", "group"}, "dof is given");
+  if (face.given()) {
+    term.forbid({"group"}, "face is given");
     return load_on_face(std::get<BlockMesh>(system.layout), read_face(face, system), read_axis(direction));
+  }
   const MeshGroup& loaded = read_group(group, system);
   auto load = load_on_group(mesh_of(system), loaded, read_axis(direction));
   if (load.empty()) group.refuse("must have nodes that can move, and faces with an area");
@@ -59,14 +56,13 @@ int harmonic_of(const SceneField& term, double base) {
 
 int read_load_harmonic(const SceneField& term, double base) {
   if (!frequency_field(term).given()) return read_int(term["harmonic"], 1);
-  if (term["harmonic"].given()) term["harmonic"].refuse("must be absent: frequency is given");
+  term.forbid({"harmonic"}, "frequency is given");
   return harmonic_of(term, base);
 }
 
 std::vector<double> read_samples(const SceneField& samples) {
-  constexpr std::string_view kSamples =
-      "must be a list of samples of the load over one period, at least 3 [N]";
-  const std::vector<SceneField> items = samples.items(kSamples);
+  const std::vector<SceneField> items =
+      samples.items("must be a list of samples of the load over one period, at least 3 [N]");
   if (items.size() < 3 || items.size() > kMostLoadSamples)
     samples.refuse(fmt::format("{} samples", items.size()), fmt::format("must be 3..{}", kMostLoadSamples));
   std::vector<double> values;
@@ -75,20 +71,18 @@ std::vector<double> read_samples(const SceneField& samples) {
 }
 
 std::vector<double> read_table(const SceneField& table, double frequency, ReadLoad& load) {
-  constexpr std::string_view kTable =
-      "must be the name of a text file of samples, relative to the scene's folder";
-  const NamedFile file = read_named_file(table, kTable, kLargestTable);
+  constexpr std::size_t kLargestTable = std::size_t{1} << 22U;  // [bytes]
+  const NamedFile file = read_named_file(
+      table, "must be the name of a text file of samples, relative to the scene's folder", kLargestTable);
   load.files.push_back(file.path);
   return parse_load_table(file.text, file.path.string(), 2.0 * std::numbers::pi / frequency);
 }
 
 // A term given by samples, on so many coordinates.
 SampledLoad read_sampled(const SceneField& term, double frequency, std::size_t places, ReadLoad& load) {
-  for (const char* key : {"harmonic", "frequency", "frequency_hz", "cos", "sin", "omega_power"}) {
-    if (term[key].given()) term[key].refuse("must be absent: the load is given by samples");
-  }
-  if (term["samples"].given() && term["file"].given())
-    term["file"].refuse("must be absent: samples are given");
+  term.forbid({"harmonic", "frequency", "frequency_hz", "cos", "sin", "omega_power"},
+              "the load is given by samples");
+  if (term["samples"].given()) term.forbid({"file"}, "samples are given");
   const std::vector<double> values =
       term["file"].given() ? read_table(term["file"], frequency, load) : read_samples(term["samples"]);
   std::optional<int> harmonics;
@@ -99,10 +93,9 @@ SampledLoad read_sampled(const SceneField& term, double frequency, std::size_t p
         most);
   }
   SampledLoad sampled = load_of_samples(values, harmonics);
-  constexpr std::size_t kMostLoads = 10'000'000;
-  if (static_cast<std::size_t>(sampled.harmonics() + 1) * places > kMostLoads)
+  if ((sampled.harmonics() + 1.0) * static_cast<double>(places) > kMostLoads)
     term.refuse(fmt::format("{} harmonics on {} coordinates", sampled.harmonics(), places),
-                fmt::format("must make at most {} loads: give fewer harmonics", kMostLoads));
+                fmt::format("must make at most {:.0f} loads: give fewer harmonics", kMostLoads));
   sampled.field = term.path();
   return sampled;
 }
@@ -121,40 +114,38 @@ void add_sampled(const SampledLoad& sampled, const std::vector<std::pair<int, do
 }  // namespace
 
 int read_int(const SceneField& field, int otherwise) {
-  constexpr int kMost = std::numeric_limits<int>::max();
-  return field.whole_or(otherwise, "must be a whole number", -kMost, kMost);
+  using Limits = std::numeric_limits<int>;
+  return field.whole_or(otherwise, "must be a whole number", Limits::min() + 1, Limits::max());
 }
 
 SceneField frequency_field(const SceneField& table) {
-  const SceneField hertz = table["frequency_hz"];
-  if (hertz.given() && table["frequency"].given()) hertz.refuse("must be absent: frequency is given");
-  return hertz.given() ? hertz : table["frequency"];
+  const SceneField frequency = table["frequency"], hertz = table["frequency_hz"];
+  if (frequency.given()) table.forbid({"frequency_hz"}, "frequency is given");
+  return hertz.given() ? hertz : frequency;
 }
 
 double read_frequency(const SceneField& table) {
   const SceneField field = frequency_field(table);
-  if (!field.path().ends_with("_hz"))
-    return field.number("must be a positive number [rad/s]", kLeastPositive);
-  return 2.0 * std::numbers::pi * field.number("must be a positive number [Hz]", kLeastPositive);
+  if (!field.path().ends_with("_hz")) return read_positive(field, "[rad/s]");
+  return 2.0 * std::numbers::pi * read_positive(field, "[Hz]");
 }
 
 ReadLoad read_load(const SceneField& terms, const SystemDescription& system, double frequency) {
   ReadLoad load;
-  if (!terms.given()) return load;
-  int table = 0;
-  for (const SceneField& term : terms.items("must be [[forcing.term]] tables; left out if there is none")) {
+  for (int table = 0; const SceneField& term :
+                      terms.items_or_none("must be [[forcing.term]] tables; left out if there is none")) {
     term.allow_only({"dof", "face", "group", "direction", "harmonic", "frequency", "frequency_hz", "cos",
                      "sin", "omega_power", "samples", "file", "harmonics"},
                     "must be a table");
     const auto attack = read_point_of_attack(term, system);
-    if (term["samples"].given() || term["file"].given()) {
+    if (term.has_any({"samples", "file"})) {
       load.sampled.push_back(read_sampled(term, frequency, attack.size(), load));
       add_sampled(load.sampled.back(), attack, table, load);
     } else {
-      if (term["harmonics"].given()) term["harmonics"].refuse("must be absent: no samples are given");
+      term.forbid({"harmonics"}, "no samples are given");
       const int harmonic = read_load_harmonic(term, frequency);
-      const double cos = term["cos"].number_or(0.0, kAmplitude);
-      const double sin = term["sin"].number_or(0.0, kAmplitude);
+      const double cos = term["cos"].number_or(0.0, "must be a finite number");
+      const double sin = term["sin"].number_or(0.0, "must be a finite number");
       const int power = read_int(term["omega_power"], 0);
       for (const auto& [dof, share] : attack)
         load.add(
@@ -168,16 +159,10 @@ ReadLoad read_load(const SceneField& terms, const SystemDescription& system, dou
 
 FromTables<ForceTerm> read_unbalance(const SceneField& unbalance, int size) {
   FromTables<ForceTerm> load;
-  if (!unbalance.given()) return load;
-  int table = 0;
-  for (const SceneField& disc :
-       unbalance.items("must be [[forcing.unbalance]] tables; left out if there is none")) {
+  for (int table = 0; const SceneField& disc : unbalance.items_or_none(
+                          "must be [[forcing.unbalance]] tables; left out if there is none")) {
     disc.allow_only({"dofs", "moment", "phase"}, "must be a table");
-    constexpr std::string_view kPair =
-        "must be a pair of different coordinates, of the plane in which the disc turns";
-    const std::vector<SceneField> pair = disc["dofs"].items(kPair, 2);
-    const int x = read_dof(pair[0], size), y = read_dof(pair[1], size);
-    if (x == y) disc["dofs"].refuse(kPair);
+    const auto [x, y] = read_plane(disc["dofs"], size, ", of the plane in which the disc turns");
     const double moment = disc["moment"].number("must be a finite number [kg m]");
     const double phase = disc["phase"].number_or(0.0, "must be a finite number [rad]");
     const double cos = moment * std::cos(phase), sin = moment * std::sin(phase);

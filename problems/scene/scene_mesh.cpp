@@ -15,10 +15,6 @@ namespace signorini {
 
 namespace {
 
-constexpr std::size_t kLargestMeshFile = std::size_t{1} << 29U;  // bytes: some 5 million nodes and elements
-constexpr int kMostMeshCoordinates = 3'000'000;
-constexpr double kMostPairs = 2e8;  // nine entries of a matrix each, counted by int
-
 // The mesh with its nodes at rest first; none is, where `fixed` is absent.
 SolidMesh hold(SolidMesh mesh, const SceneField& fixed) {
   if (!fixed.given()) return mesh;
@@ -49,6 +45,9 @@ const MeshGroup& group_named(const SceneField& field, const SolidMesh& mesh) {
 SystemDescription read_solid(const SceneField& system) {
   system.allow_only({"kind", "mesh", "fixed", "young", "poisson", "density", "damping", "contact_mass"},
                     "must be a table");
+  constexpr std::size_t kLargestMeshFile = std::size_t{1} << 29U;  // bytes: some 5 million nodes and elements
+  constexpr double kMostPairs = 2e8;  // nine entries of a matrix each, counted by int
+  constexpr int kMostMeshCoordinates = 3'000'000;
   const SceneField mesh_field = system["mesh"];
   const NamedFile file =
       read_named_file(mesh_field, "must be the name of a mesh file of Gmsh, relative to the scene's folder",

@@ -8,9 +8,6 @@ namespace signorini {
 
 namespace {
 
-constexpr int kMostHarmonic = 10000;
-constexpr std::string_view kOfMotion = "must be a finite number";
-
 // A term of a motion: harmonic, cosine and sine.
 struct MotionTerm {
   int harmonic = 1;
@@ -18,19 +15,18 @@ struct MotionTerm {
 };
 
 int read_motion_harmonic(const SceneField& term, int least) {
-  return term["harmonic"].whole_or(1, fmt::format("must be a whole number, {}..{}", least, kMostHarmonic),
-                                   least, kMostHarmonic);
+  const SceneField harmonic = term["harmonic"];
+  return harmonic.given() ? harmonic.in_range("a whole number", least, kMostLoadHarmonic) : 1;
 }
 
 std::vector<MotionTerm> read_motion(const SceneField& terms, int least_harmonic,
                                     std::string_view requirement) {
   std::vector<MotionTerm> motion;
-  if (!terms.given()) return motion;
-  for (const SceneField& term : terms.items(requirement)) {
+  for (const SceneField& term : terms.items_or_none(requirement)) {
     term.allow_only({"harmonic", "cos", "sin"}, requirement);
     motion.push_back({.harmonic = read_motion_harmonic(term, least_harmonic),
-                      .cos = term["cos"].number_or(0.0, kOfMotion),
-                      .sin = term["sin"].number_or(0.0, kOfMotion)});
+                      .cos = term["cos"].number_or(0.0, "must be a finite number"),
+                      .sin = term["sin"].number_or(0.0, "must be a finite number")});
     if (motion.back().harmonic == 0 && motion.back().sin != 0.0)
       term["sin"].refuse("must be 0 or absent: at harmonic 0 a sine is nothing");
   }
@@ -39,7 +35,6 @@ std::vector<MotionTerm> read_motion(const SceneField& terms, int least_harmonic,
 
 // A motion of `terms` terms makes as many loads for each of `places`.
 void require_few(const SceneField& field, std::size_t terms, int places) {
-  constexpr double kMostLoads = 1e7;
   if (static_cast<double>(terms) * places > kMostLoads)
     field.refuse(fmt::format("{} terms for {} contacts or coordinates", terms, places),
                  fmt::format("must make at most {:g} loads", kMostLoads));
@@ -55,9 +50,9 @@ std::array<double, 2> read_place(const SceneField& field) {
 
 // The stops of one table, contacts first..last - 1.
 void read_gap_terms(const SceneField& contact, int first, int last, std::vector<StopTerm>& stops) {
-  constexpr std::string_view kTerms =
-      "must be a list of tables { harmonic = .., cos = .., sin = .. }, the motion of the stop [m]";
-  const std::vector<MotionTerm> motion = read_motion(contact["gap_term"], 1, kTerms);
+  const std::vector<MotionTerm> motion = read_motion(
+      contact["gap_term"], 1,
+      "must be a list of tables { harmonic = .., cos = .., sin = .. }, the motion of the stop [m]");
   require_few(contact["gap_term"], motion.size(), last - first);
   for (const MotionTerm& term : motion) {
     for (int j = first; j < last; ++j)
@@ -109,10 +104,10 @@ Eigen::VectorXd read_base_direction(const SceneField& direction, const SystemDes
     for (int dof = read_axis(direction); dof < system.size; dof += 3) d[dof] = 1.0;
     return d;
   }
-  constexpr std::string_view kPair = "must be a list of pairs [dof, displacement]";
-  for (const SceneField& entry : direction.items(kPair)) {
-    const std::vector<SceneField> pair = entry.items(kPair, 2);
-    d[read_dof(pair[0], system.size)] += pair[1].number(kOfMotion);
+  constexpr std::string_view kPairs = "must be a list of pairs [dof, displacement]";
+  for (const SceneField& entry : direction.items(kPairs)) {
+    const std::vector<SceneField> pair = entry.items(kPairs, 2);
+    d[read_dof(pair[0], system.size)] += pair[1].number("must be a finite number");
   }
   return d;
 }
@@ -135,14 +130,13 @@ std::vector<StopTerm> read_stop_motion(const SceneField& contacts, const FromTab
 
 void read_base(const SceneField& base, const SystemDescription& system, Problem& problem) {
   if (!base.given()) return;
-  constexpr std::string_view kTerms = "must be a list of tables { harmonic = .., cos = .., sin = .. }";
   base.allow_only({"direction", "displacement", "acceleration"}, "must be a table");
-  if (!base["displacement"].given() && !base["acceleration"].given())
-    base.refuse("must hold displacement or acceleration");
+  if (!base.has_any({"displacement", "acceleration"})) base.refuse("must hold displacement or acceleration");
   std::vector<BaseTerm> terms;
   for (const bool acceleration : {false, true}) {
     for (const MotionTerm& term :
-         read_motion(base[acceleration ? "acceleration" : "displacement"], acceleration ? 0 : 1, kTerms))
+         read_motion(base[acceleration ? "acceleration" : "displacement"], acceleration ? 0 : 1,
+                     "must be a list of tables { harmonic = .., cos = .., sin = .. }"))
       terms.push_back(
           {.harmonic = term.harmonic, .cos = term.cos, .sin = term.sin, .acceleration = acceleration});
   }

@@ -20,15 +20,11 @@ namespace signorini {
 
 namespace {
 
-constexpr std::size_t kLargestMatrixFile = std::size_t{1} << 29U;  // bytes: some 20 million entries
-constexpr std::string_view kKinds =
-    "\"sdof\", \"chain\", \"bar\", \"beam\", \"block\", \"mesh\", \"rotor\", \"shaft\" or \"matrices\"";
-
 std::vector<double> read_elements(const SceneField& field, std::string_view unit, std::size_t count) {
-  const std::string requirement = fmt::format("must be a list of numbers >= 0 {}, at least one", unit);
-  const std::string each = fmt::format("must be a number >= 0 {}", unit);
   std::vector<double> values;
-  for (const SceneField& item : field.items(requirement)) values.push_back(item.number(each, 0.0));
+  for (const SceneField& item :
+       field.items(fmt::format("must be a list of numbers >= 0 {}, at least one", unit)))
+    values.push_back(read_nonnegative(item, unit));
   if (count != 0 && values.size() != count) {
     field.refuse(fmt::format("{} values", values.size()), fmt::format("must have one per mass: {}", count));
   }
@@ -44,20 +40,17 @@ SystemDescription independent_of_contacts(std::shared_ptr<const Structure> struc
 template <class Model>
 SystemDescription assembled(const Model& model) {
   const auto structure = std::make_shared<Structure>(assemble(model));
-  std::vector<std::string> notices;
-  std::vector<int> held = hold_supports(*structure, notices);
   SystemDescription description = independent_of_contacts(structure);
   description.layout = model;
-  description.held = std::move(held);
-  description.notices = std::move(notices);
+  description.held = hold_supports(*structure, description.notices);
   return description;
 }
 
 Rotor read_disc(const SceneField& system) {
   system.allow_only({"kind", "mass", "damping", "stiffness"}, "must be a table");
-  return {.mass = system["mass"].number("must be a positive number [kg]", kLeastPositive),
-          .damping = system["damping"].number("must be a number >= 0 [N s/m]", 0.0),
-          .stiffness = system["stiffness"].number("must be a number >= 0 [N/m]", 0.0)};
+  return {.mass = read_positive(system["mass"], "[kg]"),
+          .damping = read_nonnegative(system["damping"], "[N s/m]"),
+          .stiffness = read_nonnegative(system["stiffness"], "[N/m]")};
 }
 
 SystemDescription read_rotor(const SceneField& system) { return assembled(read_disc(system)); }
@@ -74,16 +67,15 @@ std::vector<double> read_ground(const SceneField& field, std::string_view unit, 
 }
 
 std::vector<Link> read_links(const SceneField& links, int size) {
-  std::vector<Link> result;
-  if (!links.given()) return result;
   constexpr std::string_view kLink = "must be [mass, another mass, spring, damper]";
-  const std::string mass = fmt::format("must be a mass of the chain, 0..{}", size - 1);
-  for (const SceneField& link : links.items("must be a list of [mass, another mass, spring, damper]")) {
+  std::vector<Link> result;
+  for (const SceneField& link :
+       links.items_or_none("must be a list of [mass, another mass, spring, damper]")) {
     const std::vector<SceneField> items = link.items(kLink, 4);
-    result.push_back({.first = items[0].whole(mass, 0, size - 1),
-                      .second = items[1].whole(mass, 0, size - 1),
-                      .spring = items[2].number("must be a number >= 0 [N/m]", 0.0),
-                      .damper = items[3].number("must be a number >= 0 [N s/m]", 0.0)});
+    result.push_back({.first = items[0].in_range("a mass of the chain", 0, size - 1),
+                      .second = items[1].in_range("a mass of the chain", 0, size - 1),
+                      .spring = read_nonnegative(items[2], "[N/m]"),
+                      .damper = read_nonnegative(items[3], "[N s/m]")});
     if (result.back().first == result.back().second) link.refuse(kLink);
   }
   return result;
@@ -113,9 +105,9 @@ constexpr std::array kMatrixKeys{"mass",
                                  "circulatory",
                                  "gyroscopic_per_speed",
                                  "circulatory_per_speed"};
-constexpr double kNoise = 1e-12;  // of the largest entry
 
 NamedFile read_matrix_text(const SceneField& field) {
+  constexpr std::size_t kLargestMatrixFile = std::size_t{1} << 29U;  // bytes: some 20 million entries
   return read_named_file(field, "must be the name of a file of a matrix, relative to the scene's folder",
                          kLargestMatrixFile);
 }
@@ -160,10 +152,8 @@ class MatrixFiles {
 
   [[nodiscard]] bool wants_symmetric_part(std::string_view key) const {
     constexpr std::string_view kWhich = "must be a list of \"mass\", \"damping\" and \"stiffness\"";
-    const SceneField which = system_["symmetric_part"];
-    if (!which.given()) return false;
     bool wanted = false;
-    for (const SceneField& item : which.items(kWhich)) {
+    for (const SceneField& item : system_["symmetric_part"].items_or_none(kWhich)) {
       const std::string name = item.text(kWhich);
       if (std::ranges::find(kMatrixKeys.begin(), kMatrixKeys.begin() + 3, name) == kMatrixKeys.begin() + 3)
         item.refuse(kWhich);
@@ -185,18 +175,17 @@ class MatrixFiles {
 
   // Coordinates whose diagonal is below 0, and all of whose entries are rounding: zeros that were computed.
   void drop_noise(std::string_view key, SparseMatrix& A) {
-    const double least = -kNoise * largest_entry(A);
+    const double least = -kEntryRounding * largest_entry(A);
     const Eigen::VectorXd diagonal = A.diagonal();
     std::vector<bool> noise(static_cast<std::size_t>(A.rows()));
     for (int i = 0; i < A.rows(); ++i)
       noise[static_cast<std::size_t>(i)] = diagonal(i) < 0.0 && diagonal(i) >= least;
     if (std::ranges::find(noise, true) == noise.end()) return;
     const auto is_noise = [&](Eigen::Index i) { return noise[static_cast<std::size_t>(i)]; };
-    for (int column = 0; column < A.outerSize(); ++column) {
-      for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry)
-        if (std::abs(entry.value()) > -least)
-          noise[static_cast<std::size_t>(entry.row())] = noise[static_cast<std::size_t>(column)] = false;
-    }
+    for_each_entry(A, [&](int row, int column, double value) {
+      if (std::abs(value) > -least)
+        noise[static_cast<std::size_t>(row)] = noise[static_cast<std::size_t>(column)] = false;
+    });
     for (int i = 0; i < A.rows(); ++i)
       if (is_noise(i))
         notices_.push_back(
@@ -225,13 +214,9 @@ bool has_modes(const Structure& structure) {
 // One of damping, rayleigh and modal.
 SparseMatrix read_matrix_damping(const SceneField& system, const Structure& structure, MatrixFiles& files) {
   const auto size = static_cast<int>(structure.mass.rows());
-  const SceneField damping = system["damping"];
-  const SceneField rayleigh = system["rayleigh"];
-  const SceneField modal = system["modal"];
-  if (damping.given() && rayleigh.given()) rayleigh.refuse("must be absent: damping is given");
-  if (modal.given() && (damping.given() || rayleigh.given())) {
-    modal.refuse(fmt::format("must be absent: {} is given", damping.given() ? "damping" : "rayleigh"));
-  }
+  const SceneField damping = system["damping"], rayleigh = system["rayleigh"], modal = system["modal"];
+  if (damping.given()) system.forbid({"rayleigh", "modal"}, "damping is given");
+  if (rayleigh.given()) system.forbid({"modal"}, "rayleigh is given");
   if (modal.given()) {
     const ModalDamping model = read_modal(modal, size);
     if (!has_modes(structure)) return {size, size};
@@ -241,9 +226,8 @@ SparseMatrix read_matrix_damping(const SceneField& system, const Structure& stru
     if (!damping.given()) damping.refuse("must be the name of a file; or give modal or rayleigh instead");
     return files.read("damping", size);
   }
-  constexpr std::string_view kRequirement = "must be { alpha = .., beta = .. }";
-  rayleigh.allow_only({"alpha", "beta"}, kRequirement);
-  if (!rayleigh["alpha"].given() && !rayleigh["beta"].given()) rayleigh.refuse(kRequirement);
+  rayleigh.allow_only({"alpha", "beta"}, "must be { alpha = .., beta = .. }");
+  if (!rayleigh.has_any({"alpha", "beta"})) rayleigh.refuse("must be { alpha = .., beta = .. }");
   return damping_matrix(read_rayleigh(rayleigh), structure.mass, structure.stiffness);
 }
 
@@ -252,7 +236,8 @@ SparseMatrix read_skew_matrix(const SceneField& system, const char* key, MatrixF
                               Eigen::Index size) {
   if (!system[key].given()) return {size, size};
   SparseMatrix skew = files.read(key, size);
-  if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <= kNoise * largest_entry(skew)))
+  if (!(largest_entry(SparseMatrix(skew + SparseMatrix(skew.transpose()))) <=
+        kEntryRounding * largest_entry(skew)))
     system[key].refuse("matrix with a symmetric part",
                        "must be skew-symmetric to 1e-12 of its largest entry");
   return skew;
@@ -298,7 +283,7 @@ SystemDescription read_matrices(const SceneField& system) {
     for (const int i : held) structure->stiffness.coeffRef(i, i) = diagonal[i];
     structure->stiffness.makeCompressed();
   }
-  if (system["gyroscopic_per_speed"].given() || system["circulatory_per_speed"].given())
+  if (system.has_any({"gyroscopic_per_speed", "circulatory_per_speed"}))
     follow_speed(*structure, gyroscopic, circulatory);
   SystemDescription description = independent_of_contacts(std::move(structure));
   description.held = std::move(held);
@@ -325,26 +310,23 @@ NamedFile read_named_file(const SceneField& field, std::string_view requirement,
 }
 
 SystemDescription read_system(const SceneField& system) {
-  constexpr std::array<std::pair<std::string_view, SystemDescription (*)(const SceneField&)>, 9> kReaders{
-      {{"sdof", read_sdof},
-       {"chain", read_chain},
-       {"bar", read_bar},
-       {"beam", read_beam},
-       {"block", read_block},
-       {"mesh", read_solid},
-       {"rotor", read_rotor},
-       {"shaft", read_shaft},
-       {"matrices", read_matrices}}};
-  const std::string requirement = fmt::format("must be {}", kKinds);
-  if (!system.is_table()) system.refuse(fmt::format("must be a table with kind = {}", kKinds));
-  const std::string kind = system["kind"].text(requirement);
-  for (const auto& [name, read] : kReaders) {
-    if (kind != name) continue;
-    SystemDescription description = read(system);
-    description.kind = kind;
-    return description;
-  }
-  system["kind"].refuse(requirement);
+  using Kind = std::pair<std::string_view, SystemDescription (*)(const SceneField&)>;
+  constexpr std::array<Kind, 9> kReaders{{{"sdof", read_sdof},
+                                          {"chain", read_chain},
+                                          {"bar", read_bar},
+                                          {"beam", read_beam},
+                                          {"block", read_block},
+                                          {"mesh", read_solid},
+                                          {"rotor", read_rotor},
+                                          {"shaft", read_shaft},
+                                          {"matrices", read_matrices}}};
+  std::vector<std::string_view> kinds;
+  for (const auto& [name, reader] : kReaders) kinds.push_back(name);
+  if (!system.is_table()) system.refuse(fmt::format("must be a table with kind = {}", alternatives(kinds)));
+  const std::string kind = system["kind"].one_of(kinds);
+  SystemDescription description = std::ranges::find(kReaders, kind, &Kind::first)->second(system);
+  description.kind = kind;
+  return description;
 }
 
 SceneField system_field_as_written(const SceneField& document, const std::string& path) {

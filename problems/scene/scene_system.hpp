@@ -79,6 +79,9 @@ ContactMass read_contact_mass(const SceneField& field);
 /// A positive number of a unit. \throws SceneError
 double read_positive(const SceneField& field, std::string_view unit);
 
+/// A number of a unit that is 0 or more. \throws SceneError
+double read_nonnegative(const SceneField& field, std::string_view unit);
+
 /// Poisson's ratio, between -1 and 0.5. \throws SceneError
 double read_poisson(const SceneField& field);
 
@@ -153,6 +156,9 @@ void read_base(const SceneField& base, const SystemDescription& system, Problem&
 
 /// A coordinate of a system of `size`. \throws SceneError
 int read_dof(const SceneField& field, int size);
+
+/// A pair of different coordinates; a refusal adds the remark. \throws SceneError
+std::pair<int, int> read_plane(const SceneField& field, int size, std::string_view remark = {});
 
 /// A face of a block: "x+", "y-" and so on. \throws SceneError
 Face read_face(const SceneField& field, const SystemDescription& system);

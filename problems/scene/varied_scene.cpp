@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "problems/scene/scene_document.hpp"
 #include "problems/scene/scene_field.hpp"
 
 namespace signorini {

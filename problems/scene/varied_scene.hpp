@@ -1,7 +1,6 @@
 #pragma once
 // A scene one of whose numbers is changed again and again.
 
-#include <optional>
 #include <string>
 
 #include "problems/scene/scene_file.hpp"

@@ -70,7 +70,7 @@ TEST(DampStops, RefuseWhatValidateWouldNotSeeAfterwards) {
   EXPECT_EQ(refusal(1.0, 0.0, 1), "contact[1].damper = 0 (must be a positive number [N s/m])");
   EXPECT_EQ(refusal(-2.0, 1.0, 1), "contact[1].penalty = -2 (must be a positive number [N/m])");
   EXPECT_EQ(refusal(1.0, 1.0, 0, {{2, 1.0}, {2, -1.0}}),
-            "contact[0].normal = coordinate 2 twice (must name each coordinate once)");
+            "contact[0].normal[1][0] = 2 (must name each coordinate once)");
   EXPECT_EQ(refusal(1.0, 1.0, 0, {{2, 0.0}}),
             "contact[0].normal = zero vector (needs a nonzero coefficient)");
 }

@@ -162,5 +162,18 @@ TEST(ContactsWithMass, MeetACoordinateThatHasSome) {
   EXPECT_EQ(contacts_with_mass(both), (std::vector<bool>{false, true}));
 }
 
+TEST(Contacts, HangTogetherByTheCoordinatesTheyShare) {
+  // 0 and 3 by coordinate 7, 1 and 4 by way of 2, whose coefficient of 7 is none.
+  const std::vector<Contact> contacts{{.normal = {{7, 1.0}}},
+                                      {.normal = {{1, 1.0}}},
+                                      {.normal = {{7, 0.0}, {4, 1.0}, {1, -1.0}}},
+                                      {.normal = {{9, 1.0}, {7, -1.0}}},
+                                      {.normal = {{4, 2.0}}},
+                                      {.normal = {{5, 1.0}}}};
+  EXPECT_EQ(contact_groups(contacts), (std::vector<std::vector<int>>{{0, 3}, {1, 2, 4}, {5}}));
+  EXPECT_EQ(contact_coordinates(contacts), (std::vector<int>{1, 4, 5, 7, 9}));
+  EXPECT_TRUE(contact_groups({}).empty());
+}
+
 }  // namespace
 }  // namespace signorini::problem_test

@@ -54,15 +54,10 @@ bool ActiveSetLcp::solve(const Eigen::VectorXd& q) {
     z_.setZero();
     w_ = q;
     if (!set_.empty()) {
-      const auto size = static_cast<Eigen::Index>(set_.size());
-      offset_.resize(size);
-      for (Eigen::Index k = 0; k < size; ++k) offset_[k] = q[set_[static_cast<std::size_t>(k)]];
+      offset_ = q(set_);
       part_.noalias() = inverse(set_) * offset_;
-      for (Eigen::Index k = 0; k < size; ++k) {
-        const int i = set_[static_cast<std::size_t>(k)];
-        z_[i] = -part_[k];
-        w_.noalias() += z_[i] * G_.col(i);
-      }
+      z_(set_) = -part_;
+      for (const int i : set_) w_.noalias() += z_[i] * G_.col(i);
     }
     // Both lists ascend: `next` is made in the order of the indices.
     next_.clear();
@@ -73,7 +68,7 @@ bool ActiveSetLcp::solve(const Eigen::VectorXd& q) {
       if (active ? z_[i] > 0.0 : w_[i] < 0.0) next_.push_back(i);
     }
     if (next_ == set_) {
-      for (const int i : set_) w_[i] = 0.0;
+      w_(set_).setZero();
       return q.allFinite();
     }
     set_.swap(next_);
@@ -90,10 +85,9 @@ bool ActiveSetLcp::solve_otherwise(const Eigen::VectorXd& q) {
   z_ = *z;
   w_ = q + G_ * z_;
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
-    if (!(z_[i] > 0.0)) continue;
-    set_.push_back(i);
-    w_[i] = 0.0;
+    if (z_[i] > 0.0) set_.push_back(i);
   }
+  w_(set_).setZero();
   return true;
 }
 

@@ -66,12 +66,6 @@ BorderedLcpMatrix::BorderedLcpMatrix(std::shared_ptr<const LcpMatrix> inner, Eig
 
 int BorderedLcpMatrix::size() const { return n_ + static_cast<int>(border_.cols()); }
 
-double BorderedLcpMatrix::entry(int row, int column) const {
-  if (row < n_)
-    return column < n_ ? inner_->submatrix({&row, 1}, {&column, 1})(0, 0) : -border_(row, column - n_);
-  return column < n_ ? border_(column, row - n_) : 0.0;
-}
-
 void BorderedLcpMatrix::add_columns(std::span<const int> columns, const double* weights, int first,
                                     Eigen::Ref<Eigen::VectorXd> out) const {
   const int inside = std::clamp(n_ - first, 0, static_cast<int>(out.size()));
@@ -97,21 +91,13 @@ std::unique_ptr<const ColumnBounds> BorderedLcpMatrix::column_bounds() const {
   return std::make_unique<BorderedBounds>(std::move(inner), border_);
 }
 
-void BorderedLcpMatrix::gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const {
-  out.resize(std::ssize(rows));
-  for (std::size_t k = 0; k < rows.size(); ++k) out[static_cast<Eigen::Index>(k)] = entry(rows[k], column);
-}
-
-void BorderedLcpMatrix::gather_row(int row, std::span<const int> columns, double* out) const {
-  for (std::size_t k = 0; k < columns.size(); ++k) out[k] = entry(row, columns[k]);
-}
-
 Eigen::MatrixXd BorderedLcpMatrix::submatrix(std::span<const int> rows, std::span<const int> columns) const {
-  Eigen::MatrixXd block(std::ssize(rows), std::ssize(columns));
-  for (Eigen::Index j = 0; j < block.cols(); ++j)
-    for (Eigen::Index i = 0; i < block.rows(); ++i)
-      block(i, j) = entry(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
-  return block;
+  const auto entry = [&](Eigen::Index i, Eigen::Index j) {
+    const int row = rows[static_cast<std::size_t>(i)], column = columns[static_cast<std::size_t>(j)];
+    if (row >= n_) return column < n_ ? border_(column, row - n_) : 0.0;
+    return column < n_ ? inner_->submatrix({&row, 1}, {&column, 1})(0, 0) : -border_(row, column - n_);
+  };
+  return Eigen::MatrixXd::NullaryExpr(std::ssize(rows), std::ssize(columns), entry);
 }
 
 Eigen::VectorXd BorderedLcpMatrix::operator*(const Eigen::VectorXd& z) const {

@@ -27,8 +27,6 @@ class BorderedLcpMatrix final : public LcpMatrix {
                    Eigen::Ref<Eigen::VectorXd> out) const override;
   /// Those of A, and of the border's rows one by one.
   [[nodiscard]] std::unique_ptr<const ColumnBounds> column_bounds() const override;
-  void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override;
-  void gather_row(int row, std::span<const int> columns, double* out) const override;
   [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,
                                           std::span<const int> columns) const override;
   [[nodiscard]] Eigen::VectorXd operator*(const Eigen::VectorXd& z) const override;
@@ -37,8 +35,6 @@ class BorderedLcpMatrix final : public LcpMatrix {
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
 
  private:
-  [[nodiscard]] double entry(int row, int column) const;
-
   std::shared_ptr<const LcpMatrix> inner_;
   int n_;
   Eigen::MatrixXd border_;  // (E, -E), n x 2 m

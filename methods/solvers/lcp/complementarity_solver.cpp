@@ -62,10 +62,7 @@ class NormalMap {
  private:
   // Unknowns up to which A_SS is factorised: as many as make a factorisation cost what GMRES does.
   static constexpr std::size_t kMostDense = 600;
-  static constexpr double kKrylovTolerance = 1e-12;
-  // Vectors of a Krylov space, and unknowns up to which A_SS is factorised where these do not suffice.
-  static constexpr Eigen::Index kMostKrylov = 300;
-  static constexpr std::size_t kMostByFactors = 4000;
+  static constexpr Eigen::Index kMostKrylov = 300;  // vectors of a Krylov space
 
   /// Zero off S.
   [[nodiscard]] Eigen::VectorXd spread(const std::vector<int>& active, const Eigen::VectorXd& held) const {
@@ -85,7 +82,7 @@ class NormalMap {
       return Eigen::VectorXd(lcp_.matrix->solve(spread(active, v))(active));
     };
     KrylovSolve held = solve_by_gmres(product, precondition, b, kKrylovTolerance, kMostKrylov);
-    if (held.x.size() == 0) return active.size() <= kMostByFactors ? factorised(active, b) : KrylovSolve{};
+    if (held.x.size() == 0) return b.size() <= kMostByFactors ? factorised(active, b) : KrylovSolve{};
     // What GMRES leaves of a badly scaled system Newton's method would leave too: it solves for all of z.
     const Eigen::VectorXd rest = b - product(held.x);
     if (rest.norm() > kKrylovTolerance * b.norm()) {
@@ -159,13 +156,10 @@ LcpResult solve_by_newton(const Lcp& lcp, const SolverSettings& settings, const 
 }
 
 LcpResult solve_by_newton_from(const Lcp& lcp, const SolverSettings& settings, Eigen::VectorXd y) {
-  constexpr int kSteps = 100;
   NormalMap equations(lcp);
-  const NewtonKrylovResult newton =
-      solve_newton_krylov(equations, std::move(y), settings.tolerance,
-                          {.max_steps = settings.max_iterations > 0 ? settings.max_iterations : kSteps,
-                           .max_halvings = 20,
-                           .deadline = settings.deadline});
+  DampedNewtonLimits limits{.deadline = settings.deadline};
+  if (settings.max_iterations > 0) limits.max_steps = settings.max_iterations;
+  const NewtonKrylovResult newton = solve_newton_krylov(equations, std::move(y), settings.tolerance, limits);
   return {.status = status_of(newton.end),
           .z = newton.unknowns.cwiseMax(0.0),
           .residual = equations.last_natural_residual(),

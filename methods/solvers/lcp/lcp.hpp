@@ -34,7 +34,7 @@ class ColumnBounds {
   std::vector<int> starts_;
 };
 
-/// A square matrix A that need not exist as an array. Each call handles whole columns, rows or blocks, so
+/// A square matrix A that need not exist as an array. Each call handles whole columns or blocks, so
 /// that its cost is that of the arithmetic. Indices are below size(), without repetition.
 class LcpMatrix {
  public:
@@ -51,12 +51,6 @@ class LcpMatrix {
   /// Segments of rows short beside all of A, and how large sums of its columns are there. Null where all rows
   /// are as soon evaluated as bounded.
   [[nodiscard]] virtual std::unique_ptr<const ColumnBounds> column_bounds() const = 0;
-
-  /// A(rows, column), written into out, which takes the size of `rows`.
-  virtual void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const = 0;
-
-  /// A(row, columns), written to out, which has room for as many numbers as there are columns.
-  virtual void gather_row(int row, std::span<const int> columns, double* out) const = 0;
 
   /// A(rows, columns), dense.
   [[nodiscard]] virtual Eigen::MatrixXd submatrix(std::span<const int> rows,

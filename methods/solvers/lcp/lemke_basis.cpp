@@ -57,14 +57,12 @@ void LemkeBasis::begin_with(std::vector<int> active) {
 }
 
 void LemkeBasis::append_z(int index) {
-  matrix_.gather_column(rows_, index, work_);
-  factors_.append_column(work_);
+  factors_.append_column(matrix_.submatrix(rows_, {&index, 1}));
   columns_.push_back(index);
 }
 
 void LemkeBasis::append_tau() {
-  work_ = cover_(rows_);
-  factors_.append_column(work_);
+  factors_.append_column(cover_(rows_));
   columns_.push_back(kTau);
 }
 
@@ -76,16 +74,17 @@ int LemkeBasis::remove_column(int position) {
 }
 
 void LemkeBasis::append_row(int index) {
-  work_.resize(static_cast<Eigen::Index>(columns_.size()));
   const std::span<const int> columns = columns_;
   const int tau = position_of_tau();
   const auto before = tau < 0 ? columns.size() : static_cast<std::size_t>(tau);
-  matrix_.gather_row(index, columns.first(before), work_.data());
+  Eigen::RowVectorXd row(std::ssize(columns));
+  row.head(static_cast<Eigen::Index>(before)) = matrix_.submatrix({&index, 1}, columns.first(before));
   if (tau >= 0) {
-    work_[tau] = cover_[index];
-    matrix_.gather_row(index, columns.subspan(before + 1), work_.data() + before + 1);
+    row[tau] = cover_[index];
+    const std::span<const int> behind = columns.subspan(before + 1);
+    row.tail(std::ssize(behind)) = matrix_.submatrix({&index, 1}, behind);
   }
-  factors_.append_row(work_);
+  factors_.append_row(row.transpose());
   rows_.push_back(index);
 }
 
@@ -105,22 +104,17 @@ int LemkeBasis::position_of_tau() const {
 }
 
 void LemkeBasis::combine(const Eigen::VectorXd& basic, Combination& result) const {
-  result.columns.clear();
-  result.weights.clear();
-  result.cover = 0.0;
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const double weight = basic[static_cast<Eigen::Index>(k)];
-    if (columns_[k] == kTau) {
-      result.cover = weight;
-      continue;
-    }
-    result.columns.push_back(columns_[k]);
-    result.weights.push_back(weight);
-  }
+  result.columns = columns_;
+  result.weights.assign(basic.begin(), basic.end());
+  const int tau = position_of_tau();
+  result.cover = tau < 0 ? 0.0 : basic[tau];
+  if (tau < 0) return;
+  result.columns.erase(result.columns.begin() + tau);
+  result.weights.erase(result.weights.begin() + tau);
 }
 
 double longest_step_of_basic(const Eigen::VectorXd& value, const Eigen::VectorXd& rate, double scale) {
-  const double slack = kPathSlack * std::max(value.lpNorm<Eigen::Infinity>(), scale);
+  const double slack = kSumRounding * std::max(value.lpNorm<Eigen::Infinity>(), scale);
   const double least = least_pivot(rate.lpNorm<Eigen::Infinity>());
   double longest = kInfinity;
   for (Eigen::Index k = 0; k < value.size(); ++k) {

@@ -69,7 +69,6 @@ class LemkeBasis {
   UpdatedQr factors_;
   std::vector<int> rows_;     // R
   std::vector<int> columns_;  // B, and kTau
-  Eigen::VectorXd work_;
 };
 
 /// The variables that move along the path: their values, or their rates along the driving variable.

@@ -7,12 +7,6 @@
 
 namespace signorini {
 
-namespace {
-
-constexpr double kLargest = std::numeric_limits<double>::max();
-
-}  // namespace
-
 OpenRows::OpenRows(const Lcp& lcp, Eigen::VectorXd cover)
     : lcp_(lcp),
       bounds_(lcp.matrix->column_bounds()),
@@ -141,6 +135,7 @@ double OpenRows::least_of(int segment) const {
   const int first = first_row(segment);
   const int count = row_count(segment);
   // Of a segment that is held altogether a number still, from which a rate can be taken.
+  constexpr double kLargest = std::numeric_limits<double>::max();
   return (open_.segment(first, count).array() > 0.0).select(w_.segment(first, count), kLargest).minCoeff();
 }
 

@@ -11,14 +11,11 @@
 
 namespace signorini {
 
-/// Rounding of a few dozen operations, relative.
-inline constexpr double kPathSlack = 64 * kEpsilon;
-
 /// What a row may fall below zero by; `scale` is max |q|.
-inline double row_slack(double scale) { return kPathSlack * scale; }
+inline double row_slack(double scale) { return kSumRounding * scale; }
 
 /// The rate below which a variable counts as not falling, where the largest is `fastest`.
-inline double least_pivot(double fastest) { return kPathSlack * std::max(1.0, fastest); }
+inline double least_pivot(double fastest) { return kSumRounding * std::max(1.0, fastest); }
 
 /// A_columns weights + cover d over all rows of a problem: what the basic variables, or their rates, add to
 /// w.

@@ -13,10 +13,9 @@ namespace signorini {
 
 namespace {
 
-// Pivots between two recomputations of the basic values: their increments gather rounding, while the factors,
-// updated by orthogonal rotations, stay accurate.
+// Pivots between two looks at the clock, and between two recomputations of the basic values: their increments
+// gather rounding, while the factors, updated by orthogonal rotations, stay accurate.
 constexpr long kRefresh = 64;
-constexpr long kClock = 64;  // pivots between two looks at the clock
 
 /// z with the basic ones at their places, none below zero, and zero elsewhere.
 Eigen::VectorXd spread(const std::vector<int>& places, const Eigen::VectorXd& basic, Eigen::Index size) {
@@ -57,7 +56,7 @@ class LemkePath {
     if (warm && start_warm()) return conclude();
     while (result_.pivots < limit_ &&
            std::ssize(basis_.rows()) <= most_positive_ + 1) {  // one is that of tau
-      if (result_.pivots % kClock == 0 && settings_.deadline.passed())
+      if (result_.pivots % kRefresh == 0 && settings_.deadline.passed())
         return finish(LcpStatus::interrupted, open);
       if (since_refresh_++ % kRefresh == 0) recompute();
       if (!find_direction()) return finish(LcpStatus::breakdown, open);
@@ -89,36 +88,7 @@ class LemkePath {
 
   /// The guess solves the problem with q + d at tau = 1; tau descends from there, the basic z and the w with
   /// it. True if tau reaches 0 before anything blocks.
-  bool start_warm() {
-    std::vector<int> active;
-    for (int i = 0; i < static_cast<int>(lcp_.offset.size()); ++i) {
-      if (guess_[i] > 0.0) active.push_back(i);
-    }
-    set_cover(cover_through(lcp_, guess_));
-    for (const int row : active) open_->hold(row);
-    basis_.begin_with(std::move(active));
-    const Eigen::VectorXd& cover = basis_.cover();
-    // A_SS z = -(q + d)_S at tau = 1; lowering tau by one changes z by A_SS dz = d_S.
-    value_.basic = -(lcp_.offset + cover)(basis_.rows());
-    basis_.solve(value_.basic);
-    rate_.basic = -cover(basis_.rows());
-    basis_.solve(rate_.basic);
-    rate_.basic = -rate_.basic;
-    basis_.combine(value_.basic, value_terms_);
-    value_terms_.cover = 1.0;
-    basis_.combine(rate_.basic, rate_terms_);
-    rate_terms_.cover = -1.0;
-    const Blocking block = find_end(kNone);
-    if (block.step >= 1.0) return true;
-    // tau has driven so far; it becomes basic in place of what blocked, whose complement drives next.
-    driving_z_ = block.kind != Blocking::Kind::z;
-    pair_ = driving_z_ ? block.position : basis_.remove_column(block.position);
-    basis_.append_tau();
-    if (driving_z_) hold(pair_);
-    value_.basic.resize(0);  // of another basis
-    ++result_.pivots;
-    return false;
-  }
+  bool start_warm();
 
   void hold(int row) {
     basis_.append_row(row);
@@ -151,8 +121,7 @@ class LemkePath {
   /// if it is a w. False if they are not finite.
   bool find_direction() {
     if (driving_z_) {
-      lcp_.matrix->gather_column(basis_.rows(), pair_, rate_.basic);
-      rate_.basic = -rate_.basic;
+      rate_.basic = -lcp_.matrix->submatrix(basis_.rows(), {&pair_, 1});
     } else {
       rate_.basic.setZero(std::ssize(basis_.rows()));
       rate_.basic[basis_.position_of_row(pair_)] = 1.0;
@@ -238,6 +207,37 @@ class LemkePath {
   long since_refresh_ = 0;
   LcpResult result_;
 };
+
+bool LemkePath::start_warm() {
+  std::vector<int> active;
+  for (int i = 0; i < static_cast<int>(lcp_.offset.size()); ++i) {
+    if (guess_[i] > 0.0) active.push_back(i);
+  }
+  set_cover(cover_through(lcp_, guess_));
+  for (const int row : active) open_->hold(row);
+  basis_.begin_with(std::move(active));
+  const Eigen::VectorXd& cover = basis_.cover();
+  // A_SS z = -(q + d)_S at tau = 1; lowering tau by one changes z by A_SS dz = d_S.
+  value_.basic = -(lcp_.offset + cover)(basis_.rows());
+  basis_.solve(value_.basic);
+  rate_.basic = -cover(basis_.rows());
+  basis_.solve(rate_.basic);
+  rate_.basic = -rate_.basic;
+  basis_.combine(value_.basic, value_terms_);
+  value_terms_.cover = 1.0;
+  basis_.combine(rate_.basic, rate_terms_);
+  rate_terms_.cover = -1.0;
+  const Blocking block = find_end(kNone);
+  if (block.step >= 1.0) return true;
+  // tau has driven so far; it becomes basic in place of what blocked, whose complement drives next.
+  driving_z_ = block.kind != Blocking::Kind::z;
+  pair_ = driving_z_ ? block.position : basis_.remove_column(block.position);
+  basis_.append_tau();
+  if (driving_z_) hold(pair_);
+  value_.basic.resize(0);  // of another basis
+  ++result_.pivots;
+  return false;
+}
 
 }  // namespace
 

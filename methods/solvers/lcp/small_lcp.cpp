@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/lcp/complementarity_solver.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
 #include "problems/linear_algebra/lu.hpp"
@@ -28,12 +29,6 @@ class DenseMatrix final : public LcpMatrix {
       out += weights[k] * matrix_.col(columns[k]).segment(first, out.size());
   }
   [[nodiscard]] std::unique_ptr<const ColumnBounds> column_bounds() const override { return nullptr; }
-  void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override {
-    out = matrix_.col(column)(rows);
-  }
-  void gather_row(int row, std::span<const int> columns, double* out) const override {
-    for (std::size_t k = 0; k < columns.size(); ++k) out[k] = matrix_(row, columns[k]);
-  }
   [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,
                                           std::span<const int> columns) const override {
     return matrix_(rows, columns);
@@ -61,7 +56,7 @@ class PrincipalPivoting {
   PrincipalPivoting(const Eigen::MatrixXd& A, const Eigen::VectorXd& q, const std::vector<bool>& held)
       : A_(A), q_(q), held_(held), basic_(held) {
     const double largest = A.size() == 0 ? 0.0 : A.cwiseAbs().maxCoeff();
-    w_noise_ = kRoundOff * (q.size() == 0 ? 0.0 : q.cwiseAbs().maxCoeff());
+    w_noise_ = kSumRounding * (q.size() == 0 ? 0.0 : q.cwiseAbs().maxCoeff());
     z_noise_ = w_noise_ / std::max(largest, std::numeric_limits<double>::min());
   }
 
@@ -97,8 +92,6 @@ class PrincipalPivoting {
   }
 
  private:
-  static constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
-
   // z on the basic indices, zero elsewhere, with w = 0 on them: of least norm where their columns are
   // dependent, as those of contacts at one place are.
   void evaluate() {
@@ -121,7 +114,7 @@ class PrincipalPivoting {
 
   // Empty where a basis with dependent columns leaves some w_i != 0.
   [[nodiscard]] std::optional<Eigen::VectorXd> accepted() const {
-    const double rounding = kRoundOff * static_cast<double>(q_.size()) *
+    const double rounding = kSumRounding * static_cast<double>(q_.size()) *
                             (A_.cwiseAbs() * z_.cwiseAbs() + q_.cwiseAbs()).maxCoeff();
     Eigen::VectorXd z = z_;
     for (std::size_t i = 0; i < basic_.size(); ++i) {

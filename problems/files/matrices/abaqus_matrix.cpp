@@ -17,14 +17,15 @@ constexpr std::size_t kAbaqusWords = 5;
 /// Calls visit(lines, row, column) for every entry.
 template <class Visit>
 void for_each_abaqus_entry(TextLines& lines, Visit visit) {
-  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  using Limits = std::numeric_limits<int>;
   std::int64_t entries = 0;
   while (lines.next()) {
     if (lines.words()[0].starts_with("**")) continue;
     if (lines.words().size() != kAbaqusWords)
       lines.refuse("entry", "must be node, degree of freedom, node, degree of freedom and value");
     std::array<std::int64_t, kAbaqusWords - 1> at{};
-    for (std::size_t i = 0; i < at.size(); ++i) at[i] = lines.whole(i, "entry", -kMost, kMost);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      at[i] = lines.whole(i, "entry", Limits::min() + 1, Limits::max());
     if (++entries > kMostMatrixEntries)
       lines.refuse("entry", fmt::format("must be one of at most {}", kMostMatrixEntries));
     visit(std::pair{at[0], at[1]}, std::pair{at[2], at[3]});

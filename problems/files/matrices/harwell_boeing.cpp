@@ -12,24 +12,21 @@ namespace signorini {
 
 namespace {
 
+std::string upper_case(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
 bool is_matrix_type(const TextLines& lines) {
   const std::vector<std::string_view>& words = lines.words();
   if (words[0].size() != 3 || words.size() < 4) return false;
-  const auto letter = [&](std::size_t i, std::string_view known) {
-    return known.find(static_cast<char>(std::toupper(static_cast<unsigned char>(words[0][i])))) !=
-           std::string_view::npos;
+  const auto letter = [type = upper_case(words[0])](std::size_t i, std::string_view known) {
+    return known.find(type[i]) != std::string_view::npos;
   };
   return letter(0, "RCPIQX") && letter(1, "SUHZR") && letter(2, "AE") &&
          std::all_of(words.begin() + 1, words.begin() + 4,
                      [](std::string_view word) { return number_of<std::int64_t>(word).has_value(); });
-}
-
-// Goes to the line of the type; whether there is one.
-bool find_matrix_type(TextLines& lines) {
-  constexpr int kHeaderLines = 3;
-  for (int i = 0; i < kHeaderLines && lines.next(); ++i)
-    if (is_matrix_type(lines)) return true;
-  return false;
 }
 
 // "(1P,4E20.12)": four fields a line, of 20 characters.
@@ -101,9 +98,7 @@ class HarwellBoeingReader {
   }
 
   std::vector<std::int64_t> sizes_of_type() {
-    std::string type(lines_.words()[0]);
-    std::ranges::transform(type, type.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    const std::string type = upper_case(lines_.words()[0]);
     if ((type[0] != 'R' && type[0] != 'I') || type[1] == 'H' || type[2] != 'A')
       lines_.refuse("type", "must be real and assembled: RSA, RUA, RZA or RRA");
     symmetry_ = type[1] == 'S' ? Symmetry::symmetric : type[1] == 'Z' ? Symmetry::skew : Symmetry::general;
@@ -175,8 +170,11 @@ class HarwellBoeingReader {
 }  // namespace
 
 bool is_harwell_boeing(std::string_view text, const std::string& name) {
+  constexpr int kHeaderLines = 3;
   TextLines lines(text, name);
-  return find_matrix_type(lines);
+  for (int i = 0; i < kHeaderLines && lines.next(); ++i)
+    if (is_matrix_type(lines)) return true;
+  return false;
 }
 
 MatrixFile read_harwell_boeing(std::string_view text, const std::string& name) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "problems/files/number_mistake.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 

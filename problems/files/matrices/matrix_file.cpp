@@ -24,18 +24,12 @@ NodeDofs coordinates_of_matrix_file(std::string_view text, const std::string& na
 }
 
 MatrixFile read_matrix_file(std::string_view text, const std::string& name, const NodeDofs& coordinates) {
-  switch (format_of_matrix(text, name)) {
-    case MatrixFormat::abaqus: {
-      NodeDofs all = abaqus_coordinates(text, name);
-      all.insert(coordinates.begin(), coordinates.end());
-      return read_abaqus_matrix(text, name, all);
-    }
-    case MatrixFormat::harwell_boeing:
-      return read_harwell_boeing(text, name);
-    case MatrixFormat::matrix_market:
-      break;
-  }
-  return read_matrix_market(text, name);
+  const MatrixFormat format = format_of_matrix(text, name);
+  if (format == MatrixFormat::matrix_market) return read_matrix_market(text, name);
+  if (format == MatrixFormat::harwell_boeing) return read_harwell_boeing(text, name);
+  NodeDofs all = abaqus_coordinates(text, name);
+  all.insert(coordinates.begin(), coordinates.end());
+  return read_abaqus_matrix(text, name, all);
 }
 
 }  // namespace signorini

@@ -22,7 +22,6 @@ constexpr std::string_view kComplexHeader =
     "must be real: a motion in time has no complex stiffness; write the real part, and structural damping as "
     "a "
     "damping matrix or as modal";
-constexpr std::size_t kReservedAtMost = std::size_t{1} << 20U;  // entries; the file may promise anything
 
 class Reader {
  public:
@@ -31,7 +30,6 @@ class Reader {
   MatrixFile read() {
     read_header();
     read_size();
-    entries_.reserve(std::min(static_cast<std::size_t>(expected_), kReservedAtMost));
     for (std::int64_t i = 0; i < expected_; ++i) {
       if (!next_line())
         lines_.refuse("file", fmt::format("{} entries", i), fmt::format("must hold {}", expected_));

@@ -20,10 +20,9 @@ Eigen::MatrixXd sparse_product(const Sparse& A, const Eigen::MatrixXd& B) { retu
 
 Eigen::MatrixXd product_by_rows(const Sparse& A, const Eigen::MatrixXd& B) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  constexpr Eigen::Index kAtOnce = 32;  // more would take memory, and be no faster
   Eigen::MatrixXd C(A.rows(), B.cols());
-  for (Eigen::Index first = 0; first < B.cols(); first += kAtOnce) {
-    const Eigen::Index count = std::min(kAtOnce, B.cols() - first);
+  for (Eigen::Index first = 0; first < B.cols(); first += kColumnsAtOnce) {
+    const Eigen::Index count = std::min(kColumnsAtOnce, B.cols() - first);
     const RowMajor rows = B.middleCols(first, count);
     C.middleCols(first, count) = RowMajor(A * rows);
   }

@@ -6,6 +6,9 @@
 
 namespace signorini {
 
+/// Columns that are worked on at a time: more would take memory, and be no faster.
+inline constexpr Eigen::Index kColumnsAtOnce = 32;
+
 /// A v, A m x n.
 Eigen::VectorXd sparse_image(const Eigen::SparseMatrix<double>& A,
                              const Eigen::Ref<const Eigen::VectorXd>& v);

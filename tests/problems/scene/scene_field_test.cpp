@@ -23,7 +23,8 @@ class Fields : public testing::Test {
  private:
   std::string file_ = "scene.toml";
   TomlNode tree_ = parse_toml(
-      "[forcing]\nfrequency = 2\n[[forcing.term]]\ndof = 3\n[[forcing.term]]\ndof = -1\nname = \"a\\nb\"\n",
+      "[forcing]\nfrequency = 2\n[[forcing.term]]\ndof = 3\n[[forcing.term]]\ndof = -1\nname = \"a\\nb\"\n"
+      "kind = \"c\"\n",
       file_);
 };
 
@@ -54,6 +55,36 @@ TEST_F(Fields, TakeWholeNumbersForNumbersAndNotTheOtherWay) {
   EXPECT_EQ(document().at("forcing.frequency").number("a number"), 2.0);
   EXPECT_NE(refusal([&] { (void)document().at("forcing.frequency").number("at least 3", 3.0); }), "");
   EXPECT_NE(refusal([&] { (void)document().at("forcing.frequency").text("text"); }), "");
+}
+
+TEST_F(Fields, AreOneOfSomeWords) {
+  const SceneField kind = document().at("forcing.term[1].kind");
+  EXPECT_EQ(kind.one_of({"b", "c"}), "c");
+  EXPECT_EQ(refusal([&] {
+              (void)kind.one_of({"a", "b"}, ": no others");
+            }),
+            "scene.toml:8: forcing.term[1].kind = \"c\" (must be \"a\" or \"b\": no others)");
+  EXPECT_EQ(alternatives({"a", "b", "c"}), "\"a\", \"b\" or \"c\"");
+}
+
+TEST_F(Fields, SayTheRangeOfAWholeNumber) {
+  const SceneField dof = document().at("forcing.term[0].dof");
+  EXPECT_EQ(dof.in_range("a mass", 0, 3), 3);
+  EXPECT_EQ(refusal([&] { (void)dof.in_range("a mass", 0, 2); }),
+            "scene.toml:4: forcing.term[0].dof = 3 (must be a mass, 0..2)");
+}
+
+TEST_F(Fields, ThatMustBeAbsentAreRefused) {
+  const SceneField forcing = document()["forcing"];
+  EXPECT_TRUE(forcing.has_any({"phase", "term"}));
+  EXPECT_FALSE(forcing.has_any({"phase"}));
+  EXPECT_EQ(refusal([&] { forcing.forbid({"phase"}, "none has one"); }), "");
+  EXPECT_EQ(refusal([&] {
+              forcing.forbid({"phase", "frequency"}, "all rest");
+            }),
+            "scene.toml:2: forcing.frequency = 2 (must be absent: all rest)");
+  EXPECT_EQ(forcing["term"].items_or_none("a list").size(), 2U);
+  EXPECT_TRUE(forcing["phase"].items_or_none("a list").empty());
 }
 
 TEST_F(Fields, AllowKnownKeysOnly) {

@@ -42,11 +42,9 @@ TEST(BorderedLcp, HasOneMatrixHoweverItIsAskedFor) {
     lcp.matrix->add_columns(columns, z.data(), first, sum);
     EXPECT_LE((sum - M(all, columns).bottomRows(10 - first) * z.head(5)).norm(), 1e-13) << first;
   }
-  Eigen::VectorXd column, row(5);
-  lcp.matrix->gather_column(all, 8, column);
-  EXPECT_EQ(column, M.col(8));
-  lcp.matrix->gather_row(7, columns, row.data());
-  EXPECT_EQ(row, Eigen::VectorXd(M(7, columns).transpose()));
+  const std::vector<int> one{7};
+  EXPECT_EQ(lcp.matrix->submatrix(all, one), M.col(7));
+  EXPECT_EQ(lcp.matrix->submatrix(one, columns), M(one, columns));
 }
 
 TEST(BorderedLcp, BoundsAreThoseOfItsRows) {

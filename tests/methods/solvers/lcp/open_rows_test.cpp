@@ -49,12 +49,6 @@ class CountedRows final : public LcpMatrix {
   [[nodiscard]] std::unique_ptr<const ColumnBounds> column_bounds() const override {
     return matrix_->column_bounds();
   }
-  void gather_column(std::span<const int> rows, int column, Eigen::VectorXd& out) const override {
-    matrix_->gather_column(rows, column, out);
-  }
-  void gather_row(int row, std::span<const int> columns, double* out) const override {
-    matrix_->gather_row(row, columns, out);
-  }
   [[nodiscard]] Eigen::MatrixXd submatrix(std::span<const int> rows,
                                           std::span<const int> columns) const override {
     return matrix_->submatrix(rows, columns);
