@@ -51,7 +51,7 @@ FlowState RelaxingEvents::place(double time, const State& state) const {
 }
 
 void RelaxingEvents::hold(State& state, const ContactMode& of_all) const {
-  const ContactMode mode = part(of_all, false);
+  const ContactMode mode = dynamics_.stops().part(of_all, false);
   if (mode.active.empty()) return;
   const FlowStructure& structure = dynamics_.structure();
   const Eigen::VectorXd beyond =
@@ -94,7 +94,7 @@ void RelaxingEvents::pass(const FlowState& after, const Eigen::VectorXd& before,
 }
 
 void RelaxingEvents::admit(const ContactMode& of_all, Eigen::MatrixXd& derivative) const {
-  const ContactMode mode = part(of_all, false);
+  const ContactMode mode = dynamics_.stops().part(of_all, false);
   if (mode.active.empty()) return;
   const FlowStructure& structure = dynamics_.structure();
   Eigen::MatrixXd beyond(mode.response.rows(), derivative.cols());

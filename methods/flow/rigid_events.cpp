@@ -217,7 +217,8 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const std::vector<S
     S = last && entries.size() == 1 ? std::move(one) : product(one, S);
     before = rate;
   }
-  if (const ContactMode held = part(mode, true); !held.active.empty()) {  // what it holds cannot deviate
+  if (const ContactMode held = dynamics_.stops().part(mode, true);
+      !held.active.empty()) {  // what it holds cannot deviate
     const Eigen::MatrixXd hold =
         product(columns_of(structure.velocity_per_impulse, held.active),
                 product_by_transposed(held.response, columns_of(structure.directions, held.active)));
@@ -321,7 +322,7 @@ FlowState RigidEvents::place(double time, const State& state) const {
 }
 
 void RigidEvents::hold(State& state, const ContactMode& of_all) const {
-  if (const ContactMode mode = part(of_all, true); !mode.active.empty()) {
+  if (const ContactMode mode = dynamics_.stops().part(of_all, true); !mode.active.empty()) {
     const FlowStructure& structure = dynamics_.structure();
     const Eigen::MatrixXd rows = columns_of(structure.directions, mode.active).transpose();
     const Eigen::MatrixXd back =

@@ -53,19 +53,6 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
   }
 }
 
-ContactMode StopEvents::part(const ContactMode& mode, bool rigid) const {
-  ContactMode result;
-  std::vector<int> rows;
-  for (std::size_t k = 0; k < mode.active.size(); ++k) {
-    if (dynamics_.rigid(mode.active[k]) != rigid) continue;
-    result.active.push_back(mode.active[k]);
-    rows.push_back(static_cast<int>(k));
-  }
-  if (rows.size() == mode.active.size()) return mode;
-  if (!rows.empty()) result.response = block_of(mode.response, rows, rows);
-  return result;
-}
-
 void StopEvents::log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,
                              FlowRecord& record) {
   const auto change = [&](std::size_t j) {

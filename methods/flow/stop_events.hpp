@@ -48,9 +48,6 @@ class StopEvents {
   void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
               std::vector<bool>& closed) const;
 
-  /// The closed contacts of a mode that are rigid, or those that give way, with their own response.
-  [[nodiscard]] ContactMode part(const ContactMode& mode, bool rigid) const;
-
   /// Logs an event at which the contacts that are closed change, and nothing else does.
   static void log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,
                           FlowRecord& record);

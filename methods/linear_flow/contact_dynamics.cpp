@@ -22,24 +22,6 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
   return pseudo_inverse(A);
 }
 
-// Of contacts of which some are rigid and others compliant, that of each kind alone: they have different
-// units.
-Eigen::MatrixXd response_by_kinds(const Stops& stops, const std::vector<int>& active) {
-  const auto count = static_cast<Eigen::Index>(active.size());
-  Eigen::MatrixXd response = Eigen::MatrixXd::Zero(count, count);
-  for (const bool rigid : {true, false}) {
-    std::vector<int> contacts, rows;
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      if (stops.rigid(active[k]) != rigid) continue;
-      contacts.push_back(active[k]);
-      rows.push_back(static_cast<int>(k));
-    }
-    if (!rows.empty())
-      response(rows, rows) = symmetric_inverse(block_of(stops.coupling(), contacts, contacts));
-  }
-  return response;
-}
-
 }  // namespace
 
 ContactDynamics::ContactDynamics(const Problem& problem) : ContactDynamics(problem, condense(problem)) {}
@@ -86,10 +68,14 @@ ContactMode ContactDynamics::mode(const std::vector<bool>& closed) const {
   for (int j = 0; j < contact_count(); ++j) {
     if (closed[static_cast<std::size_t>(j)]) result.active.push_back(j);
   }
-  if (stops_->mixed())
-    result.response = response_by_kinds(*stops_, result.active);
-  else if (!result.active.empty())
-    result.response = symmetric_inverse(block_of(stops_->coupling(), result.active, result.active));
+  // Where some are rigid and others compliant, each kind alone: they have different units.
+  result.response.setZero(std::ssize(result.active), std::ssize(result.active));
+  const Eigen::MatrixXd coupling = block_of(stops_->coupling(), result.active, result.active);
+  for (const bool rigid : {true, false}) {
+    const std::vector<int> rows = stops_->places(result.active, rigid);
+    if (rows.empty()) continue;
+    result.response(rows, rows) = symmetric_inverse(block_of(coupling, rows, rows));
+  }
   return result;
 }
 
