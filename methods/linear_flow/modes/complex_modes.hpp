@@ -20,6 +20,8 @@ struct ComplexModes {
   Eigen::MatrixXcd left;     ///< Nm x 2 Nr
   Eigen::MatrixXcd of_load;  ///< Nm x Nr
 
+  /// Nm modes of Nr coordinates, yet to be filled in.
+  static ComplexModes of_size(Eigen::Index modes, Eigen::Index coordinates);
   /// Complex amplitude P of q = P e^{i rate t} under the load f e^{i rate t}, Nr; rate is no eigenvalue.
   [[nodiscard]] Eigen::VectorXcd forced(const Eigen::VectorXcd& load, double rate) const;
 };

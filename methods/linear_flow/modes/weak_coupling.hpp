@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "methods/linear_flow/modes/complex_modes.hpp"
 #include "methods/solvers/extended/matrix.hpp"
 
 namespace signorini {
@@ -22,16 +23,6 @@ struct RealModes {
 /// The factor by which digits may cancel between the modes of a structure of so many coordinates.
 double most_cancelled(Eigen::Index coordinates);
 
-/// Modes of damped coordinates in terms of the undamped ones: z = sum_j phi_j y_j, y = sum_k weight_k Re
-/// (shapes_k a_k), a = of_position^T y + of_velocity^T y'.
-struct WeaklyCoupled {
-  Eigen::VectorXcd mu;           ///< Nm, Im >= 0 [1/s]
-  Eigen::VectorXd weight;        ///< Nm: 2 of a pair, 1 of a real mu
-  Eigen::MatrixXcd shapes;       ///< n x Nm
-  Eigen::MatrixXcd of_position;  ///< n x Nm
-  Eigen::MatrixXcd of_velocity;  ///< n x Nm [s]
-};
-
 /// The modes of damping that couples the undamped ones weakly: with y_k = 1,
 ///
 ///     mu^2 + (d_k + (C y)_k) mu + l_k = 0,   y_j = -mu (C y)_j / (mu^2 + d_j mu + l_j),   j != k,
@@ -39,6 +30,7 @@ struct WeaklyCoupled {
 /// by repetition, which contracts as much as the coupling is weak: some 1e2 n^3 operations in double for all,
 /// where eigenvectors take some 4e2 n^3. Empty where that does not converge, or a mode is ill-conditioned.
 /// \param rate  of the energy [rad/s]
-std::optional<WeaklyCoupled> weakly_coupled(const RealModes& real, double rate);
+/// \return in the coordinates y, z = sum_j phi_j y_j, and under their forces
+std::optional<ComplexModes> weakly_coupled(const RealModes& real, double rate);
 
 }  // namespace signorini
