@@ -6,7 +6,6 @@
 #include <complex>
 #include <limits>
 #include <optional>
-#include <random>
 #include <utility>
 #include <variant>
 
@@ -41,10 +40,8 @@ constexpr int kAllOf = 300;
 /// at every call.
 SparseMatrix start_of_many(const ContactColumns& columns) {
   constexpr Eigen::Index kStarted = 16, kLeastRandom = 8;
-  std::mt19937 random(1);
-  Eigen::MatrixXd parts(columns.normals.cols(), std::max(kLeastRandom, kStarted - columns.pushes.cols()));
-  constexpr double kRange = 4294967296.0;
-  for (double& value : parts.reshaped()) value = static_cast<double>(random()) / kRange - 0.5;
+  const Eigen::MatrixXd parts =
+      random_columns(columns.normals.cols(), std::max(kLeastRandom, kStarted - columns.pushes.cols()));
   return side_by_side(columns.pushes, SparseMatrix(sparse_product(columns.normals, parts).sparseView()));
 }
 

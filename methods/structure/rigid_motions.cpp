@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
 #include "methods/solvers/lcp/lcp.hpp"
+#include "methods/structure/bases/ritz_reduction.hpp"
 #include "problems/assembly/penalty_supports.hpp"
 #include "problems/definite_solver.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
@@ -44,10 +44,8 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
   const SparseMatrix shifted = A + kShift * one;
   const auto solver = factorise_here(shifted);
   if (!solver->definite()) return Eigen::MatrixXd(A.rows(), 0);
-  std::mt19937 random(1);
   for (int columns = kColumnsAtFirst;; columns *= 2) {
-    Eigen::MatrixXd X(A.rows(), columns);
-    for (double& entry : X.reshaped()) entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    Eigen::MatrixXd X = random_columns(A.rows(), columns);
     Eigen::VectorXd values;
     for (int k = 0; k < kIterations; ++k) {
       X = solver->solve(X);
@@ -102,29 +100,27 @@ NoPeriodicMotion unbalanced(const Eigen::MatrixXd& motions, const Eigen::VectorX
 
 /// Coordinates of parts, joined by entries of M, D and K, of which none is a contact's.
 std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
-  std::vector<int> part(static_cast<std::size_t>(problem.size()));
-  std::iota(part.begin(), part.end(), 0);
-  const auto root = [&](int i) {
-    while (part[static_cast<std::size_t>(i)] != i) {
-      int& above = part[static_cast<std::size_t>(i)];
-      i = above = part[static_cast<std::size_t>(above)];  // halves the way of the next one
-    }
-    return i;
-  };
+  std::vector<std::vector<int>> joined(static_cast<std::size_t>(problem.size()));
   for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
     for (int outer = 0; outer < matrix->outerSize(); ++outer) {
       for (SparseMatrix::InnerIterator it(*matrix, outer); it; ++it) {
         if (it.value() == 0.0 || it.row() == it.col()) continue;
-        const int a = root(static_cast<int>(it.row())), b = root(static_cast<int>(it.col()));
-        part[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        joined[static_cast<std::size_t>(it.row())].push_back(static_cast<int>(it.col()));
+        joined[static_cast<std::size_t>(it.col())].push_back(static_cast<int>(it.row()));
       }
     }
   }
-  std::vector<bool> touched(part.size(), false), apart(part.size(), false);
+  std::vector<bool> apart(joined.size(), true);
+  std::vector<int> next;
   for (const Contact& contact : problem.contacts)
-    for (const auto& [dof, weight] : contact.normal) touched[static_cast<std::size_t>(root(dof))] = true;
-  for (int i = 0; i < problem.size(); ++i)
-    apart[static_cast<std::size_t>(i)] = !touched[static_cast<std::size_t>(root(i))];
+    for (const auto& [dof, weight] : contact.normal) next.push_back(dof);
+  while (!next.empty()) {
+    const auto i = static_cast<std::size_t>(next.back());
+    next.pop_back();
+    if (!apart[i]) continue;
+    apart[i] = false;
+    next.insert(next.end(), joined[i].begin(), joined[i].end());
+  }
   return apart;
 }
 

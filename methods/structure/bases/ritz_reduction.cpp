@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -108,6 +109,14 @@ SparseMatrix side_by_side(const SparseMatrix& A, const SparseMatrix& B) {
   return both;
 }
 
+Eigen::MatrixXd random_columns(Eigen::Index n, Eigen::Index k) {
+  std::mt19937 random(1);
+  const double range = static_cast<double>(std::mt19937::max()) + 1.0;
+  Eigen::MatrixXd columns(n, k);
+  for (double& entry : columns.reshaped()) entry = static_cast<double>(random()) / range - 0.5;
+  return columns;
+}
+
 SparseMatrix ContactColumns::all() const { return side_by_side(normals, pushes); }
 
 Eigen::MatrixXcd LoadColumns::coefficients(double base, int harmonics) const {
@@ -168,7 +177,7 @@ ContactColumns contact_columns(const Problem& problem) {
   const Eigen::Index contacts = problem.contact_count();
   result.normals = sparse_columns(columns, 0, contacts);
   result.pushes = sparse_columns(columns, contacts, columns.cols() - contacts);
-  result.compliance = std::move(seen.compliance);
+  result.compliance = std::move(seen.massless_compliance);
   if (!seen.massless.empty())
     result.following = sparse_product(coordinate_selection(seen.massless, problem.size()), seen.following);
   result.with_mass = std::ssize(seen.kept);

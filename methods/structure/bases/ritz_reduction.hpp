@@ -55,6 +55,9 @@ ContactColumns contact_columns(const Problem& problem);
 /// [A, B].
 SparseMatrix side_by_side(const SparseMatrix& A, const SparseMatrix& B);
 
+/// Uniform numbers between -1/2 and 1/2, the same at every call, n x k.
+Eigen::MatrixXd random_columns(Eigen::Index n, Eigen::Index k);
+
 /// The obstacle of a structure without a Cholesky factorisation.
 inline constexpr std::string_view kNotDefinite = "the stiffness is not positive definite";
 
