@@ -10,6 +10,9 @@ namespace signorini {
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Distance from 1 to the next double [-].
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// What is smaller, relative to what it is a part or a difference of, is the rounding of a computed matrix
+/// [-].
+inline constexpr double kMatrixRounding = 1e-12;
 /// Beyond any number [-].
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -21,9 +21,8 @@ namespace {
 constexpr int kPowers = 6;
 constexpr int kMostOfPowers = 300;
 constexpr int kLeastVectors = 60;
-constexpr int kModes = 100;
-// Random columns beside the loads: blocks of 16 solve several times faster than single columns.
-constexpr int kRandomColumns = 15;
+// Random columns beside the loads.
+constexpr Eigen::Index kRandomColumns = kSolvedTogether - 1;
 
 /// Basis and size, none left open.
 ReductionSettings chosen(ReductionSettings settings, Eigen::Index contacts, Eigen::Index loads) {

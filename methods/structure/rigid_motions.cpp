@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
+#include "methods/structure/bases/modal_reduction.hpp"
 #include "methods/structure/bases/ritz_reduction.hpp"
 #include "problems/assembly/penalty_supports.hpp"
 #include "problems/definite_solver.hpp"
@@ -22,9 +24,6 @@ namespace signorini {
 
 namespace {
 
-constexpr double kNoSpring = 1e-12;  // of the diagonal: rounding of an assembly
-constexpr int kMostByAllEigenvalues = 400;
-
 /// S K S of unit diagonal, S diagonal, or less where inertia outweighs springs; 1 on rows without either.
 SparseMatrix unit_diagonal(const SparseMatrix& K, const Problem& problem, Eigen::VectorXd& scale) {
   constexpr double kInertia = 1e-2;
@@ -35,7 +34,8 @@ SparseMatrix unit_diagonal(const SparseMatrix& K, const Problem& problem, Eigen:
   return scale.asDiagonal() * K * scale.asDiagonal();
 }
 
-/// Vectors of the least eigenvalues of A, symmetric and semidefinite of unit diagonal: those below kNoSpring.
+/// Vectors of the least eigenvalues of A, symmetric and semidefinite of unit diagonal: those below
+/// kMatrixRounding.
 Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
   constexpr double kShift = 1e-9;
   constexpr int kColumnsAtFirst = 8, kMostColumns = 64, kIterations = 12;
@@ -54,7 +54,7 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
       X = X * ritz.vectors;
       values = ritz.values;
     }
-    const Eigen::Index count = (values.array() < kNoSpring).count();
+    const Eigen::Index count = (values.array() < kMatrixRounding).count();
     if (count < columns || columns >= kMostColumns) return X.leftCols(count);
   }
 }
@@ -63,11 +63,11 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
 Eigen::MatrixXd null_space(const SparseMatrix& A) {
   SparseMatrix one(A.rows(), A.cols());
   one.setIdentity();
-  if (factorise_here(A - 2.0 * kNoSpring * one)->definite()) return Eigen::MatrixXd(A.rows(), 0);
-  if (A.rows() > kMostByAllEigenvalues) return null_space_by_iteration(A);
+  if (factorise_here(A - 2.0 * kMatrixRounding * one)->definite()) return Eigen::MatrixXd(A.rows(), 0);
+  if (A.rows() > kMostModal) return null_space_by_iteration(A);
   const SymmetricEigen all = symmetric_eigen(Eigen::MatrixXd(A));
-  if (!all.converged || all.values[0] < -kNoSpring) return Eigen::MatrixXd(A.rows(), 0);
-  return all.vectors.leftCols((all.values.array() < kNoSpring).count());
+  if (!all.converged || all.values[0] < -kMatrixRounding) return Eigen::MatrixXd(A.rows(), 0);
+  return all.vectors.leftCols((all.values.array() < kMatrixRounding).count());
 }
 
 /// The largest components of a direction, the largest of them 1: "coordinate 0: 1, coordinate 3: -0.5".
@@ -148,7 +148,7 @@ Eigen::MatrixXd rigid_motions(const Problem& problem) {
   if (R.cols() == 0) return none;
   if (!symmetric) {
     const double bound =
-        kNoSpring * largest_entry(K) * R.cwiseAbs().maxCoeff() * static_cast<double>(K.rows());
+        kMatrixRounding * largest_entry(K) * R.cwiseAbs().maxCoeff() * static_cast<double>(K.rows());
     if (!((K * R).cwiseAbs().maxCoeff() <= bound)) return none;
   }
   for (Eigen::Index k = 0; k < R.cols(); ++k) R.col(k) /= R.col(k).lpNorm<Eigen::Infinity>();

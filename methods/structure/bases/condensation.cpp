@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/sparse/sparse_factors.hpp"
 #include "problems/matrix_properties.hpp"
 
@@ -50,7 +51,6 @@ std::optional<Eigen::VectorXd> relaxation_at(const Problem& problem, const Spars
 // it has none.
 Eigen::VectorXd relaxation_of_contacts(const MasslessElimination& seen, const Eigen::VectorXd& beta,
                                        std::string& obstacle) {
-  constexpr double kSame = 1e-12;
   Eigen::VectorXd result = Eigen::VectorXd::Zero(seen.normals.cols());
   const double most = beta.size() > 0 ? beta.maxCoeff() : 0.0;
   if (!(most > 0.0)) return result;
@@ -63,7 +63,7 @@ Eigen::VectorXd relaxation_of_contacts(const MasslessElimination& seen, const Ei
       least = std::min(least, beta[it.row()]);
       result[j] = std::max(result[j], beta[it.row()]);
     }
-    if (moves && least < (1.0 - kSame) * result[j])
+    if (moves && least < (1.0 - kMatrixRounding) * result[j])
       obstacle = fmt::format("contact {} is on coordinates without mass that relax in different times", j);
     if (moves && result[j] == 0.0)
       obstacle = fmt::format(

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "problems/linear_algebra/products.hpp"
 #include "problems/linear_algebra/sparse/sparse_products.hpp"
@@ -208,7 +208,6 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   pairs.vectors = Eigen::MatrixXd::Identity(count, count);
   // M x = theta K x, theta rising as in the pairs.
   const SymmetricEigen refined = generalised_eigen(M, K);
-  constexpr double kLeast = 4.0 * std::numeric_limits<double>::epsilon();
   if (!refined.converged) return 1.0;
   const Eigen::VectorXd wrong = (pairs.values.tail(lowest).cwiseQuotient(refined.values).array() - 1.0).abs();
   const Eigen::MatrixXd better = product(vectors, refined.vectors);
@@ -217,19 +216,19 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   projection.contacts.bottomRows(lowest) = sparse_product_of_transposed(columns.normals, better).transpose();
   projection.loads.bottomRows(lowest) = sparse_product_of_transposed(columns.pushes, better).transpose();
   const double largest = wrong.maxCoeff();
-  return std::max({kLeast, wrong[0], largest * largest});
+  return std::max({4.0 * kEpsilon, wrong[0], largest * largest});
 }
 
 StaticCompliance::StaticCompliance(const Problem& problem, BlockLanczos& space, const ContactColumns& columns)
     : all_(columns.all()), contacts_(columns.normals.cols()) {
-  constexpr Eigen::Index kAtOnce = 32, kMost = 40;
+  constexpr Eigen::Index kMost = 40;
   const Eigen::Index lowest = std::min(kMost, space.size() / 2), count = all_.cols();
   const Eigen::MatrixXd Q = space.combined(ritz_pairs(space).vectors.rightCols(lowest));
   carried_ = product_by_rows(problem.stiffness(), Q);
   held_ = sparse_product_of_transposed(all_, Q).transpose();
   rest_.resize(count, count);
-  for (Eigen::Index first = 0; first < count; first += kAtOnce) {
-    const Eigen::Index taken = std::min(kAtOnce, count - first);
+  for (Eigen::Index first = 0; first < count; first += kMostSolvedAtOnce) {
+    const Eigen::Index taken = std::min<Eigen::Index>(kMostSolvedAtOnce, count - first);
     const Eigen::MatrixXd held = held_.middleCols(first, taken);
     const Eigen::MatrixXd moved =
         space.solve(Eigen::MatrixXd(sparse_columns(all_, first, taken)) - dense_product(carried_, held));
