@@ -27,14 +27,16 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
 ContactDynamics::ContactDynamics(const Problem& problem) : ContactDynamics(problem, condense(problem)) {}
 
 ContactDynamics::ContactDynamics(const Problem& problem, CondensedStructure condensed)
-    : structure_(std::make_shared<FlowStructure>(problem, std::move(condensed))),
-      stops_(Stops::of(problem, *structure_)) {
+    : structure_(std::make_shared<FlowStructure>(problem, std::move(condensed))) {
+  std::vector<bool> rigid;
   for (int j = 0; j < contact_count(); ++j) {
     const Contact& contact = problem.contacts[static_cast<std::size_t>(structure_->scene_contact(j))];
     const auto* law = std::get_if<Restitution>(&contact.law);
+    rigid.push_back(law != nullptr);
     restitution_.push_back(law != nullptr ? law->e : 1.0);
   }
-  any_rigid_ = contact_count() == 0 || std::ranges::find(stops_->rigid(), true) != stops_->rigid().end();
+  any_rigid_ = rigid.empty() || std::ranges::find(rigid, true) != rigid.end();
+  stops_ = Stops::on(*structure_, rigid);
   constexpr int kSmall = 32;  // a dense product is then no dearer than sparse ones and a sparse solve
   const FlowStructure& s = *structure_;
   small_ = size() <= kSmall;
@@ -50,15 +52,9 @@ ContactDynamics::ContactDynamics(const Problem& problem, CondensedStructure cond
   }
 }
 
-ContactDynamics::ContactDynamics(const ContactDynamics& other, double frequency)
-    : structure_(std::make_shared<FlowStructure>(other.structure().at_frequency(frequency))),
-      stops_(Stops::on(*structure_, other.stops().rigid())),
-      restitution_(other.restitution_),
-      any_rigid_(other.any_rigid_),
-      small_(other.small_),
-      inverse_mass_stiffness_(other.inverse_mass_stiffness_),
-      inverse_mass_damping_(other.inverse_mass_damping_),
-      inverse_mass_load_(other.inverse_mass_load_) {
+ContactDynamics::ContactDynamics(const ContactDynamics& other, double frequency) : ContactDynamics(other) {
+  structure_ = std::make_shared<FlowStructure>(other.structure().at_frequency(frequency));
+  stops_ = Stops::on(*structure_, other.stops().rigid());
   for (LoadRate& load : inverse_mass_load_)
     load.rate = std::round(load.rate / other.structure().frequency) * frequency;
 }

@@ -315,15 +315,6 @@ class RelaxingStops final : public Stops {
 
 }  // namespace
 
-std::unique_ptr<const Stops> Stops::of(const Problem& problem, const FlowStructure& structure) {
-  std::vector<bool> rigid;
-  for (int j = 0; j < structure.contact_count(); ++j) {
-    const Contact& contact = problem.contacts[static_cast<std::size_t>(structure.scene_contact(j))];
-    rigid.push_back(std::holds_alternative<Restitution>(contact.law));
-  }
-  return on(structure, rigid);
-}
-
 std::unique_ptr<const Stops> Stops::on(const FlowStructure& structure, const std::vector<bool>& rigid) {
   const bool any = std::ranges::find(rigid, true) != rigid.end();
   if (any || rigid.empty()) return rigid_on(structure, rigid);

@@ -86,10 +86,8 @@ struct FreeForm {
 /// C_AA^-1 xi_A relax by themselves, beta z' + z = s_O - C_OA C_AA^-1 s_A.
 class Stops {
  public:
-  /// Those of a scene: rigid where its contacts have a restitution, else compliant, relaxing if besides the
-  /// structure has a relaxation time. `structure` must outlive them.
-  static std::unique_ptr<const Stops> of(const Problem& problem, const FlowStructure& structure);
-  /// Those of the same kinds, of each contact whether it is rigid, on a structure, which must outlive them.
+  /// Those of a structure, which must outlive them: of each contact whether it is rigid, else compliant,
+  /// relaxing if besides the structure has a relaxation time.
   static std::unique_ptr<const Stops> on(const FlowStructure& structure, const std::vector<bool>& rigid);
   virtual ~Stops() = default;
 
