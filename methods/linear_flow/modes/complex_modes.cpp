@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "methods/linear_flow/modes/weak_coupling.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/extended/eigenbasis.hpp"
 #include "methods/solvers/extended/symmetric_eigenpairs.hpp"
@@ -286,24 +285,6 @@ std::optional<ComplexModes> modes_in_double(const MassForm& form, const EnergyFo
 }
 
 }  // namespace
-
-ComplexModes ComplexModes::of_size(Index modes, Index coordinates) {
-  return {.mu = Eigen::VectorXcd(modes),
-          .weight = Eigen::VectorXd(modes),
-          .shapes = Eigen::MatrixXcd(coordinates, modes),
-          .left = Eigen::MatrixXcd(modes, 2 * coordinates),
-          .of_load = Eigen::MatrixXcd(modes, coordinates)};
-}
-
-Eigen::VectorXcd ComplexModes::forced(const Eigen::VectorXcd& load, double rate) const {
-  // Each mode of a pair answers by itself: q = sum_k U_k (of_load_k f) / (i rate - mu_k), conjugates
-  // included.
-  const Complex i_rate(0.0, rate);
-  const Eigen::VectorXcd direct = (of_load * load).array() / (i_rate - mu.array());
-  const Eigen::VectorXcd mirrored =
-      (weight.array() - 1.0) * (of_load.conjugate() * load).array() / (i_rate - mu.array().conjugate());
-  return shapes * direct + shapes.conjugate() * mirrored;
-}
 
 std::optional<ComplexModes> complex_modes(const MassForm& form, double rate) {
   const bool small = form.size() <= kLongDouble;

@@ -8,6 +8,24 @@
 
 namespace signorini {
 
+ComplexModes ComplexModes::of_size(Eigen::Index modes, Eigen::Index coordinates) {
+  return {.mu = Eigen::VectorXcd(modes),
+          .weight = Eigen::VectorXd(modes),
+          .shapes = Eigen::MatrixXcd(coordinates, modes),
+          .left = Eigen::MatrixXcd(modes, 2 * coordinates),
+          .of_load = Eigen::MatrixXcd(modes, coordinates)};
+}
+
+Eigen::VectorXcd ComplexModes::forced(const Eigen::VectorXcd& load, double rate) const {
+  // Each mode of a pair answers by itself: q = sum_k U_k (of_load_k f) / (i rate - mu_k), conjugates
+  // included.
+  const std::complex<double> i_rate(0.0, rate);
+  const Eigen::VectorXcd direct = (of_load * load).array() / (i_rate - mu.array());
+  const Eigen::VectorXcd mirrored =
+      (weight.array() - 1.0) * (of_load.conjugate() * load).array() / (i_rate - mu.array().conjugate());
+  return shapes * direct + shapes.conjugate() * mirrored;
+}
+
 namespace {
 
 using Complex = std::complex<double>;

@@ -1,16 +1,33 @@
 #pragma once
-// Undamped modes, and damping that couples them weakly.
+// Undamped and complex modes, and damping that couples those weakly.
 
 #include <Eigen/Core>
 #include <optional>
 #include <vector>
 
-#include "methods/linear_flow/modes/complex_modes.hpp"
 #include "methods/solvers/extended/matrix.hpp"
 
 namespace signorini {
 
 inline constexpr Eigen::Index kLongDouble = 12;  ///< coordinates up to which extended precision is cheap
+
+/// The motions of a damped structure M q'' + D q' + K q = f, damping proportional or not:
+///
+///     q(t) = Re sum_k w_k shapes_k a_k(t),   a_k' = mu_k a_k + of_load_k f,   a(0) = left (q(0), q'(0)),
+///
+/// Im mu_k >= 0; w_k = 2 for a pair, 1 for a real mu_k.
+struct ComplexModes {
+  Eigen::VectorXcd mu;       ///< Nm [rad/s]
+  Eigen::VectorXd weight;    ///< w_k, Nm
+  Eigen::MatrixXcd shapes;   ///< Nr x Nm
+  Eigen::MatrixXcd left;     ///< Nm x 2 Nr
+  Eigen::MatrixXcd of_load;  ///< Nm x Nr
+
+  /// Nm modes of Nr coordinates, yet to be filled in.
+  static ComplexModes of_size(Eigen::Index modes, Eigen::Index coordinates);
+  /// Complex amplitude P of q = P e^{i rate t} under the load f e^{i rate t}, Nr; rate is no eigenvalue.
+  [[nodiscard]] Eigen::VectorXcd forced(const Eigen::VectorXcd& load, double rate) const;
+};
 
 /// The undamped modes phi_k: z_k'' + d_k z_k' + sum_j c_kj z_j' + l_k z_k = 0.
 struct RealModes {
