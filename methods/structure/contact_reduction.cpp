@@ -21,8 +21,6 @@ namespace {
 constexpr int kPowers = 6;
 constexpr int kMostOfPowers = 300;
 constexpr int kLeastVectors = 60;
-// Random columns beside the loads.
-constexpr Eigen::Index kRandomColumns = kSolvedTogether - 1;
 
 /// Basis and size, none left open.
 ReductionSettings chosen(ReductionSettings settings, Eigen::Index contacts, Eigen::Index loads) {
@@ -52,21 +50,18 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   const bool krylov = asked.basis == ReductionBasis::krylov;
   // M times random columns is nothing at massless coordinates.
   const SparseMatrix start =
-      krylov
-          ? columns.all()
-          : side_by_side(pushes, SparseMatrix(Eigen::MatrixXd(problem.mass() *
-                                                              random_columns(problem.size(), kRandomColumns))
-                                                  .sparseView()));
+      krylov ? columns.all()
+             : side_by_side(pushes,
+                            SparseMatrix(Eigen::MatrixXd(problem.mass() *
+                                                         random_columns(problem.size(), kSolvedTogether - 1))
+                                             .sparseView()));
   // More vectors than coordinates with mass would be rounding.
   const Eigen::Index most = columns.most();
   BlockLanczos space(problem.stiffness(), problem.mass(), start, most);
-  if (!space.definite()) {
-    result.obstacle = std::string(kNotDefinite);
-    return result;
-  }
+  if (!space.definite()) return ContactReduction::refused(kNotDefinite);
   // Of a Krylov space from random columns the upper half has not converged to modes, nor have the lowest
   // before some powers.
-  const Eigen::Index enough = krylov ? asked.vectors : 2 * asked.vectors + kPowers * (kRandomColumns + 1);
+  const Eigen::Index enough = krylov ? asked.vectors : 2 * asked.vectors + kPowers * kSolvedTogether;
   while (space.size() < enough && !space.exhausted()) space.grow();
   if (krylov) {
     result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());

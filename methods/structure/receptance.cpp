@@ -22,12 +22,6 @@ namespace signorini {
 
 namespace {
 
-ContactReduction no_reduction(std::string obstacle) {
-  ContactReduction result;
-  result.obstacle = std::move(obstacle);
-  return result;
-}
-
 /// Harmonics 0..last that rise by a tenth.
 std::vector<std::size_t> sampled_harmonics(std::size_t last) {
   std::vector<std::size_t> result;
@@ -109,7 +103,7 @@ class ReducedModel {
   /// On the lowest vectors. \param weights  of the loads that the space was started from
   [[nodiscard]] ContactReduction reduction(const Problem& problem, const ProportionalDamping& damping,
                                            const WeightsOfHarmonic& weights) const {
-    if (shift_ > 0.0) return no_reduction(std::string(kNotDefinite));
+    if (shift_ > 0.0) return ContactReduction::refused(kNotDefinite);
     ContactColumns columns;
     columns.damping = damping;
     columns.normals = SparseMatrix(problem.size(), contacts_);
@@ -320,7 +314,7 @@ ReducedReceptance reduced_contact_receptance(const Problem& problem, int harmoni
     }
   }
   return {.value = factorised_receptance(problem, harmonics, weights, prefers_dense(problem)),
-          .reduction = no_reduction("every harmonic was factorised")};
+          .reduction = ContactReduction::refused("every harmonic was factorised")};
 }
 
 ContactReceptance contact_receptance(const Problem& problem, int harmonics,
