@@ -25,28 +25,22 @@ void ClosedFormStretch::step() {
 }
 
 Guard ClosedFormStretch::guard(int contact, double time) const {
-  const ContactDynamics& dynamics = flows_.dynamics();
-  if (arc_->mode().closed(contact)) {
-    const double unit = dynamics.stops().coupling()(contact, contact);
-    return {.value = -unit * arc_->force(contact, time), .rate = -unit * arc_->force(contact, time, 1)};
-  }
-  return {.value = dynamics.structure().gaps[contact] - arc_->displacement(contact, time),
-          .rate = -arc_->displacement(contact, time, 1)};
+  const bool closed = arc_->mode().closed(contact);
+  const auto output = [&](int order) {
+    return closed ? arc_->force(contact, time, order) : arc_->displacement(contact, time, order);
+  };
+  return guard_of(flows_.dynamics(), contact, closed, output(0), output(1));
 }
 
 std::vector<Guard> ClosedFormStretch::guards(double time) const {
-  const ContactDynamics& dynamics = flows_.dynamics();
+  const int contacts = flows_.dynamics().contact_count();
   const Eigen::MatrixXd outputs = arc_->outputs_at(time, 1);
   std::vector<Guard> all;
-  Eigen::Index closed = dynamics.contact_count();  // row of the next force
-  for (int j = 0; j < dynamics.contact_count(); ++j) {
-    if (arc_->mode().closed(j)) {
-      const double unit = dynamics.stops().coupling()(j, j);
-      all.push_back({.value = -unit * outputs(closed, 0), .rate = -unit * outputs(closed, 1)});
-      ++closed;
-    } else {
-      all.push_back({.value = dynamics.structure().gaps[j] - outputs(j, 0), .rate = -outputs(j, 1)});
-    }
+  Eigen::Index force = contacts;  // row of the next one
+  for (int j = 0; j < contacts; ++j) {
+    const bool closed = arc_->mode().closed(j);
+    const Eigen::Index row = closed ? force++ : j;
+    all.push_back(guard_of(flows_.dynamics(), j, closed, outputs(row, 0), outputs(row, 1)));
   }
   return all;
 }

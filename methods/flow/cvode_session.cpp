@@ -22,7 +22,7 @@ struct CvodeSession::Handles {
 
   Rhs rhs;
   long evaluations = 0;
-  double time = 0.0, previous_time = 0.0, stop = 0.0;
+  double stop = 0.0;
   std::string last_message;
   std::exception_ptr thrown;
 
@@ -112,19 +112,15 @@ void CvodeSession::start(double time, const Eigen::VectorXd& y, double stop, dou
   h.check(CVodeReInit(h.memory, time, h.y), "CVodeReInit");
   h.check(CVodeSetMaxStep(h.memory, largest_step), "CVodeSetMaxStep");
   h.check(CVodeSetStopTime(h.memory, stop), "CVodeSetStopTime");
-  h.time = h.previous_time = time;
   h.stop = stop;
 }
 
-void CvodeSession::step() {
+double CvodeSession::step() {
   Handles& h = *handles_;
-  h.previous_time = h.time;
-  h.check(CVode(h.memory, h.stop, h.output, &h.time, CV_ONE_STEP), "CVode");
+  double time = 0.0;
+  h.check(CVode(h.memory, h.stop, h.output, &time, CV_ONE_STEP), "CVode");
+  return time;
 }
-
-double CvodeSession::time() const { return handles_->time; }
-
-double CvodeSession::previous_time() const { return handles_->previous_time; }
 
 void CvodeSession::interpolate(double time, Eigen::VectorXd& y) const {
   handles_->check(CVodeGetDky(handles_->memory, time, 0, handles_->output), "CVodeGetDky");

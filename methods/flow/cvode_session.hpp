@@ -38,10 +38,8 @@ class CvodeSession {
 
   /// Forgets the past and starts from y(time) towards `stop` > time, which no step passes.
   void start(double time, const Eigen::VectorXd& y, double stop, double largest_step);
-  /// One step of the integrator's own choice; afterwards [previous_time(), time()] can be interpolated.
-  void step();
-  [[nodiscard]] double time() const;           ///< at the end of the last step
-  [[nodiscard]] double previous_time() const;  ///< at its beginning
+  /// One step of the integrator's own choice, within which can be interpolated. \return the time at its end
+  double step();
   /// y at a time within the last step, accurate to the tolerance of the integration.
   void interpolate(double time, Eigen::VectorXd& y) const;
   /// Right-hand sides since construction.

@@ -13,9 +13,8 @@ namespace signorini {
 
 namespace {
 
-constexpr int kOrder = 4;  // highest derivative matched
-
-using Weights = std::array<double, kOrder + 1>;
+// Of a function and of its derivatives that are matched.
+using Weights = std::array<double, kNodeOrder>;
 
 // Weights of h^k f^(k) at the left end, at a fraction `s` of the interval:
 // A_k(s) = s^k / k! (1 - s)^5 sum_{j <= 4 - k} binomial(4 + j, j) s^j. The right end has (-1)^k A_k(1 - s).
@@ -44,7 +43,7 @@ double interpolate(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Ei
                    Eigen::Index first, const Place& place) {
   // h^k from the fraction s to the time, (-1)^k because the right end's weights look back.
   double value = 0.0, power = 1.0, sign = 1.0;
-  for (int k = 0; k <= kOrder; ++k) {
+  for (int k = 0; k < kNodeOrder; ++k) {
     const auto i = static_cast<std::size_t>(k);
     value += power * (place.left[i] * left(row, first + k) + sign * place.right[i] * right(row, first + k));
     power *= place.h;

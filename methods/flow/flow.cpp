@@ -19,10 +19,8 @@ EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::fun
     auto events = std::make_unique<RigidEvents>(dynamics, tolerance);
     rebound_ = std::make_unique<TaylorStretch>(dynamics, events->touch());
     events_ = std::move(events);
-  } else if (dynamics.structure().relaxing() > 0) {
-    events_ = std::make_unique<RelaxingEvents>(dynamics, tolerance);
   } else {
-    events_ = std::make_unique<CompliantEvents>(dynamics, tolerance);
+    events_ = std::make_unique<GivingEvents>(dynamics, tolerance);
   }
   if (integrator == Integrator::modal) {
     between_ = std::make_unique<ClosedFormStretch>(flows_, tolerance);

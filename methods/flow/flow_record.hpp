@@ -24,6 +24,9 @@ struct SequenceEvent {
   std::vector<bool> closed = {};         ///< Nc, afterwards
 };
 
+/// Highest derivative of x kept at an instant; of lambda one less.
+inline constexpr int kNodeOrder = 5;
+
 /// Contact displacements and forces with their derivatives at one instant.
 struct FlowNode {
   double time = 0.0;       ///< [s]

@@ -3,24 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "methods/solvers/constants.hpp"
+
 namespace signorini {
-
-namespace {
-
-constexpr double kFelt = 1e-12;  // of what two contacts in one place would feel
-
-}  // namespace
 
 bool feel_through_mass(const FlowStructure& structure, int j, int k) {
   const Eigen::MatrixXd& G = structure.delassus;
-  return std::abs(G(j, k)) > kFelt * std::sqrt(G(j, j) * G(k, k));
+  return std::abs(G(j, k)) > kMatrixRounding * std::sqrt(G(j, j) * G(k, k));
 }
 
 bool feel_through_dampers(const FlowStructure& structure, int j, int k) {
   const auto a = structure.velocity_per_impulse.col(j), b = structure.velocity_per_impulse.col(k);
   const Eigen::VectorXd by_a = structure.damping * a, by_b = structure.damping * b;
   const double largest = std::max(by_a.norm() * b.norm(), by_b.norm() * a.norm());
-  return std::max(std::abs(a.dot(by_b)), std::abs(b.dot(by_a))) > kFelt * largest;
+  return std::max(std::abs(a.dot(by_b)), std::abs(b.dot(by_a))) > kMatrixRounding * largest;
 }
 
 std::vector<std::vector<int>> impact_groups(const FlowStructure& structure,

@@ -60,11 +60,7 @@ RigidEvents::RigidEvents(const ContactDynamics& dynamics, double tolerance)
       touch_(event_noise(tolerance) * dynamics.scales().displacement),
       rest_(event_noise(tolerance) * dynamics.scales().velocity),
       weightless_(std::max(0.01 * tolerance, 1024.0 * kEpsilon) * dynamics.scales().acceleration) {
-  if (!dynamics.stops().mixed()) return;
-  if (dynamics.structure().relaxing() > 0)
-    giving_ = std::make_unique<RelaxingEvents>(dynamics, tolerance);
-  else
-    giving_ = std::make_unique<CompliantEvents>(dynamics, tolerance);
+  if (dynamics.stops().mixed()) giving_.emplace(dynamics, tolerance);
 }
 
 // How long the impacts after one of speed v last, if they are carried to their limit at once; else empty.
@@ -217,7 +213,8 @@ Eigen::MatrixXd RigidEvents::saltation(const Impact& impact, const std::vector<S
     S = last && entries.size() == 1 ? std::move(one) : product(one, S);
     before = rate;
   }
-  if (const ContactMode held = part(mode, true); !held.active.empty()) {  // what it holds cannot deviate
+  if (const ContactMode held = dynamics_.stops().part(mode, true);
+      !held.active.empty()) {  // what it holds cannot deviate
     const Eigen::MatrixXd hold =
         product(columns_of(structure.velocity_per_impulse, held.active),
                 product_by_transposed(held.response, columns_of(structure.directions, held.active)));
@@ -281,13 +278,7 @@ void RigidEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) cons
   const ContactMode mode = dynamics_.mode(closed);
   hold(flow.state, mode);
   log(impact, flow, closed, record);
-  for (int j = 0; j < dynamics_.contact_count(); ++j) {
-    const auto index = static_cast<std::size_t>(j);
-    if (!dynamics_.rigid(j) && closed[index] != flow.closed[index])
-      record.events.push_back({.kind = closed[index] ? ContactEvent::Kind::close : ContactEvent::Kind::open,
-                               .contact = j,
-                               .time = flow.time});
-  }
+  log_changes(flow.closed, closed, flow.time, record);
   const std::vector<SequenceEvent> sequence = entries(impact, flow, closed, trigger);
   if (trigger >= 0) record.sequence.insert(record.sequence.end(), sequence.begin(), sequence.end());
   if (record.tangent) {
@@ -309,11 +300,9 @@ FlowState RigidEvents::place(double time, const State& state) const {
   const Eigen::VectorXd gap = entries_of(
       structure.gaps - image_by_transposed(structure.directions, state.u.head(dynamics_.size())), rigid);
   if (gap.size() > 0 && gap.minCoeff() < 0.0) {
-    // The nearest admissible displacement in the metric of M: u - M^-1 W z with 0 <= z, 0 <= gap + G z.
-    const auto z = solve_small_lcp(block_of(structure.delassus, rigid, rigid), gap,
-                                   std::vector<bool>(rigid.size(), false));
-    if (!z) throw FlowError("no displacement satisfies all gaps");
-    flow.state.u.head(dynamics_.size()) -= image_by_columns(structure.velocity_per_impulse, rigid, *z);
+    // The nearest displacement in the metric of M: u - M^-1 W z.
+    flow.state.u.head(dynamics_.size()) -=
+        image_by_columns(structure.velocity_per_impulse, rigid, moving_back(structure.delassus, rigid, gap));
   }
   if (giving_) flow = giving_->place(time, flow.state);
   resolve(flow, -1, ignored);
@@ -321,7 +310,7 @@ FlowState RigidEvents::place(double time, const State& state) const {
 }
 
 void RigidEvents::hold(State& state, const ContactMode& of_all) const {
-  if (const ContactMode mode = part(of_all, true); !mode.active.empty()) {
+  if (const ContactMode mode = dynamics_.stops().part(of_all, true); !mode.active.empty()) {
     const FlowStructure& structure = dynamics_.structure();
     const Eigen::MatrixXd rows = columns_of(structure.directions, mode.active).transpose();
     const Eigen::MatrixXd back =

@@ -24,6 +24,13 @@ Eigen::VectorXd absolute_tolerances(const ContactDynamics& dynamics, double tole
 
 }  // namespace
 
+Guard Stretch::guard_of(const ContactDynamics& dynamics, int contact, bool closed, double value,
+                        double rate) {
+  if (!closed) return {.value = dynamics.structure().gaps[contact] - value, .rate = -rate};
+  const double unit = dynamics.stops().coupling()(contact, contact);
+  return {.value = -unit * value, .rate = -unit * rate};
+}
+
 void StateStretch::state(double time, State& state) const {
   evaluate(time, y_);
   state = unpacked();
@@ -46,17 +53,12 @@ Guard StateStretch::guard(int contact, double time) const {
 
 std::vector<Guard> StateStretch::guards(double time) const {
   evaluate(time, y_);
-  const FlowStructure& structure = dynamics_.structure();
-  const int contacts = structure.contact_count();
   Eigen::VectorXd x, v, force, rate;  // rate: d lambda / dt
   dynamics_.stops().forces(*mode_, time, unpacked(), x, v, force, rate);
-  std::vector<Guard> result(static_cast<std::size_t>(contacts));
-  for (int j = 0; j < contacts; ++j) {
-    result[static_cast<std::size_t>(j)] = {.value = structure.gaps[j] - x[j], .rate = -v[j]};
-  }
-  for (const int j : mode_->active) {
-    const double unit = dynamics_.stops().coupling()(j, j);
-    result[static_cast<std::size_t>(j)] = {.value = -unit * force[j], .rate = -unit * rate[j]};
+  std::vector<Guard> result;
+  for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    const bool closed = mode_->closed(j);
+    result.push_back(guard_of(dynamics_, j, closed, closed ? force[j] : x[j], closed ? rate[j] : v[j]));
   }
   return result;
 }
@@ -89,10 +91,9 @@ void CvodeStretch::start(const ContactMode& mode, const FlowState& flow, double 
 }
 
 void CvodeStretch::step() {
-  session_.step();
+  begin_ = end_;
+  end_ = session_.step();
   stepped_ = true;
-  begin_ = session_.previous_time();
-  end_ = session_.time();
 }
 
 void CvodeStretch::evaluate(double time, Eigen::VectorXd& y) const {

@@ -53,32 +53,24 @@ void StopEvents::decide(double time, const State& state, const std::vector<Order
   }
 }
 
-ContactMode StopEvents::part(const ContactMode& mode, bool rigid) const {
-  ContactMode result;
-  std::vector<int> rows;
-  for (std::size_t k = 0; k < mode.active.size(); ++k) {
-    if (dynamics_.rigid(mode.active[k]) != rigid) continue;
-    result.active.push_back(mode.active[k]);
-    rows.push_back(static_cast<int>(k));
-  }
-  if (rows.size() == mode.active.size()) return mode;
-  if (!rows.empty()) result.response = block_of(mode.response, rows, rows);
-  return result;
+Eigen::VectorXd StopEvents::moving_back(const Eigen::MatrixXd& A, const std::vector<int>& contacts,
+                                        const Eigen::VectorXd& gap) {
+  auto z = solve_small_lcp(block_of(A, contacts, contacts), gap, std::vector<bool>(contacts.size(), false));
+  if (!z) throw FlowError("no displacement satisfies all gaps");
+  return *std::move(z);
 }
 
-void StopEvents::log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,
-                             FlowRecord& record) {
-  const auto change = [&](std::size_t j) {
-    return after.closed[j] ? ContactEvent::Kind::close : ContactEvent::Kind::open;
-  };
-  for (std::size_t j = 0; j < before.size(); ++j) {
-    if (after.closed[j] != before[j])
-      record.events.push_back({.kind = change(j), .contact = static_cast<int>(j), .time = after.time});
+ContactEvent::Kind StopEvents::change_of(const std::vector<bool>& closed, int contact) {
+  return closed[static_cast<std::size_t>(contact)] ? ContactEvent::Kind::close : ContactEvent::Kind::open;
+}
+
+void StopEvents::log_changes(const std::vector<bool>& before, const std::vector<bool>& closed, double time,
+                             FlowRecord& record) const {
+  for (int j = 0; j < dynamics_.contact_count(); ++j) {
+    const auto index = static_cast<std::size_t>(j);
+    if (!dynamics_.rigid(j) && closed[index] != before[index])
+      record.events.push_back({.kind = change_of(closed, j), .contact = j, .time = time});
   }
-  record.sequence.push_back({.kind = change(static_cast<std::size_t>(trigger)),
-                             .contact = trigger,
-                             .time = after.time,
-                             .closed = after.closed});
 }
 
 }  // namespace signorini

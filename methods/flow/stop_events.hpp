@@ -3,7 +3,6 @@
 // ones.
 
 #include <Eigen/Core>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,7 +11,7 @@
 
 namespace signorini {
 
-/// The law of contact at the instants where a mode ends: RigidEvents, CompliantEvents or RelaxingEvents.
+/// The law of contact at the instants where a mode ends: RigidEvents or GivingEvents.
 class StopEvents {
  public:
   virtual ~StopEvents() = default;
@@ -48,12 +47,15 @@ class StopEvents {
   void decide(double time, const State& state, const std::vector<Order>& orders, std::vector<bool> undecided,
               std::vector<bool>& closed) const;
 
-  /// The closed contacts of a mode that are rigid, or those that give way, with their own response.
-  [[nodiscard]] ContactMode part(const ContactMode& mode, bool rigid) const;
+  /// z of the least displacement A_S z that brings contacts S to 0 <= z, 0 <= gap + A_SS z. \throws FlowError
+  static Eigen::VectorXd moving_back(const Eigen::MatrixXd& A, const std::vector<int>& contacts,
+                                     const Eigen::VectorXd& gap);
 
-  /// Logs an event at which the contacts that are closed change, and nothing else does.
-  static void log_changes(const std::vector<bool>& before, const FlowState& after, int trigger,
-                          FlowRecord& record);
+  /// What a contact has done that is closed afterwards, or is not.
+  static ContactEvent::Kind change_of(const std::vector<bool>& closed, int contact);
+  /// Logs the contacts that have closed or opened, those that give way alone.
+  void log_changes(const std::vector<bool>& before, const std::vector<bool>& closed, double time,
+                   FlowRecord& record) const;
 
   const ContactDynamics& dynamics_;  ///< of the scene
 };
@@ -96,19 +98,7 @@ std::optional<Eigen::VectorXd> newton_impulses(const Eigen::MatrixXd& delassus,
                                                const Eigen::VectorXd& restitution);
 
 /// What stops that give way do, alone or beside rigid ones, which they leave alone.
-class GivingEvents : public StopEvents {
- public:
-  /// The contacts that are closed after an event: those of `flow`, but for the giving ones that push. That of
-  /// `trigger` changes if it is one of them. \param struck  whether impulses have just changed the velocities
-  [[nodiscard]] virtual std::vector<bool> closed_after(const FlowState& flow, int trigger,
-                                                       bool struck) const = 0;
-  /// Takes from deviations of the state what a mode does not admit.
-  virtual void admit(const ContactMode&, Eigen::MatrixXd&) const {}
-
- protected:
-  using StopEvents::StopEvents;
-};
-
+///
 /// At compliant stops (springs, and stops behind coordinates without mass) the contact force is the solution
 /// of the static complementarity problem
 ///
@@ -118,24 +108,52 @@ class GivingEvents : public StopEvents {
 /// the solution has contacts with neither gap nor force, their next derivatives decide, in order: the same
 /// problem for the first and the second time derivatives (the motion is twice differentiable), with the
 /// contacts that push as equalities. What is left undecided stays open.
-class CompliantEvents final : public GivingEvents {
+///
+/// At relaxing stops (behind damped coordinates without mass) a contact that closes is stopped without an
+/// impulse: the state is continuous, and the forces of all contacts at their stops jump to the solution of
+///
+///     -(a + G lambda) >= 0,   lambda <= 0,   complementary,   G = C / beta,
+///
+/// a = W^T v + (s - xi) / beta their speeds without forces; a single one takes lambda = -a / G. So one may
+/// open where another closes. Where the solution has contacts with neither speed nor force, the second
+/// derivatives of x decide, with lambda'. A contact opens where its force vanishes, and no force jumps.
+/// Springs alone beside them close and open as ever.
+class GivingEvents final : public StopEvents {
  public:
   /// \param tolerance  of the integration, relative to the scales of the motion [-]
-  CompliantEvents(const ContactDynamics& dynamics, double tolerance);
+  GivingEvents(const ContactDynamics& dynamics, double tolerance);
 
-  /// The state as it is, with the contacts that push.
+  /// The state with the contacts beyond relaxing stops moved back, by the smallest impulses xi takes for
+  /// that, and the contacts that push. \throws FlowError
   [[nodiscard]] FlowState place(double time, const State& state) const override;
   /// The contacts that push after the guard of `trigger` has vanished: that contact changes, and those that
-  /// are without gap and force at that instant are decided anew. Logs every change. \throws FlowError
+  /// are without gap and force at that instant are decided anew. Logs every change; where the record asks for
+  /// it, multiplies its derivative by the saltation matrix I + (F+ - F-) n^T / x'_- of a closing at a
+  /// relaxing stop, n the gradient of x, F = (v, xi', a) on each side, and takes away what the next mode does
+  /// not admit. \throws FlowError
   void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
-  /// Nothing: a compliant stop lets its contact move.
-  void hold(State&, const ContactMode&) const override {}
-  /// Whatever has changed the velocities: forces are those of the displacements.
-  [[nodiscard]] std::vector<bool> closed_after(const FlowState& flow, int trigger,
-                                               bool struck) const override;
+  /// x_A = g_A at closed relaxing contacts, by xi in the direction C_A that a force moves it. A compliant
+  /// stop lets its contact move.
+  void hold(State& state, const ContactMode& mode) const override;
+  /// The contacts that are closed after an event: those of `flow`, but for the giving ones that push. That of
+  /// `trigger` changes if it is one of them. \param struck  whether impulses have just changed the
+  /// velocities: forces of relaxing stops jump then, and contacts may open
+  [[nodiscard]] std::vector<bool> closed_after(const FlowState& flow, int trigger, bool struck) const;
+  /// Takes from deviations of the state what a mode does not admit: x_A' = 0 at relaxing stops.
+  void admit(const ContactMode& mode, Eigen::MatrixXd& derivative) const;
 
  private:
-  std::vector<Order> orders_;  // of gap, speed and acceleration
+  void reconsider(const FlowState& flow, int trigger, bool relaxing, bool struck,
+                  std::vector<bool>& closed) const;
+  [[nodiscard]] Eigen::VectorXd rates(const FlowState& flow) const;
+  [[nodiscard]] Eigen::VectorXd moved(int contact, const Eigen::MatrixXd& derivative) const;
+  void pass(const FlowState& after, const Eigen::VectorXd& before, int trigger,
+            Eigen::MatrixXd& derivative) const;
+
+  double touch_;                    // gap that counts as none [m]
+  bool springs_ = false;            // whether some are springs alone
+  std::vector<Order> of_springs_;   // of gap, speed and acceleration
+  std::vector<Order> of_relaxing_;  // of speed and acceleration
 };
 
 /// Applies the laws of impact and contact to the contacts that touch their rigid stops. Others of the scene
@@ -195,47 +213,7 @@ class RigidEvents final : public StopEvents {
                                                     const Eigen::VectorXd& before) const;
 
   double tolerance_, touch_, rest_, weightless_;
-  std::unique_ptr<const GivingEvents> giving_;  // of the other contacts, if there are any
-};
-
-/// At relaxing stops (behind damped coordinates without mass) a contact that closes is stopped without an
-/// impulse: the state is continuous, and the forces of all contacts at their stops jump to the solution of
-///
-///     -(a + G lambda) >= 0,   lambda <= 0,   complementary,   G = C / beta,
-///
-/// a = W^T v + (s - xi) / beta their speeds without forces; a single one takes lambda = -a / G. So one may
-/// open where another closes. Where the solution has contacts with neither speed nor force, the second
-/// derivatives of x decide, with lambda'. A contact opens where its force vanishes, and no force jumps.
-/// Springs alone beside them close and open as ever (CompliantEvents).
-class RelaxingEvents final : public GivingEvents {
- public:
-  /// \param tolerance  of the integration, relative to the scales of the motion [-]
-  RelaxingEvents(const ContactDynamics& dynamics, double tolerance);
-
-  /// The state with the contacts beyond their stops moved back, by the smallest impulses xi takes for that,
-  /// and the contacts that push. \throws FlowError
-  [[nodiscard]] FlowState place(double time, const State& state) const override;
-  /// The contacts that push after the guard of `trigger` has vanished. Logs every change; where the record
-  /// asks for it, multiplies its derivative by the saltation matrix I + (F+ - F-) n^T / x'_- of a closing, n
-  /// the gradient of x, F = (v, xi', a) on each side, and takes away what the next mode does not admit.
-  void resolve(FlowState& flow, int trigger, FlowRecord& record) const override;
-  /// x_A = g_A at closed contacts, by xi in the direction C_A that a force moves it.
-  void hold(State& state, const ContactMode& mode) const override;
-  /// Where velocities have jumped, or a contact closes, all forces do, and contacts may open.
-  [[nodiscard]] std::vector<bool> closed_after(const FlowState& flow, int trigger,
-                                               bool struck) const override;
-  /// x_A' = 0 likewise.
-  void admit(const ContactMode& mode, Eigen::MatrixXd& derivative) const override;
-
- private:
-  [[nodiscard]] Eigen::VectorXd rates(const FlowState& flow) const;
-  [[nodiscard]] Eigen::VectorXd moved(int contact, const Eigen::MatrixXd& derivative) const;
-  void pass(const FlowState& after, const Eigen::VectorXd& before, int trigger,
-            Eigen::MatrixXd& derivative) const;
-
-  std::optional<CompliantEvents> springs_;  // stops beside them that are springs alone, if there are any
-  double touch_;                            // gap that counts as none [m]
-  std::vector<Order> orders_;               // of speed and acceleration
+  std::optional<const GivingEvents> giving_;  // of the other contacts, if there are any
 };
 
 }  // namespace signorini

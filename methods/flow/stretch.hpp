@@ -76,6 +76,8 @@ class Stretch {
  protected:
   /// \param noise  error of guards relative to their scales [-]
   explicit Stretch(double noise) : noise_(noise) {}
+  /// The guard of a contact at this displacement, or, where it is closed, of this force.
+  static Guard guard_of(const ContactDynamics& dynamics, int contact, bool closed, double value, double rate);
 
   double begin_ = 0.0;  ///< of the last step [s]
   double end_ = 0.0;    ///< of the last step [s]
@@ -84,9 +86,6 @@ class Stretch {
  private:
   double noise_;
 };
-
-/// Highest derivative of x kept at an instant; of lambda one less.
-inline constexpr int kNodeOrder = 5;
 
 /// A stretch that yields the state, from which guards and nodes follow by the equation of motion.
 class StateStretch : public Stretch {

@@ -22,37 +22,21 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
   return pseudo_inverse(A);
 }
 
-// Of contacts of which some are rigid and others compliant, that of each kind alone: they have different
-// units.
-Eigen::MatrixXd response_by_kinds(const Stops& stops, const std::vector<int>& active) {
-  const auto count = static_cast<Eigen::Index>(active.size());
-  Eigen::MatrixXd response = Eigen::MatrixXd::Zero(count, count);
-  for (const bool rigid : {true, false}) {
-    std::vector<int> contacts, rows;
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      if (stops.rigid(active[k]) != rigid) continue;
-      contacts.push_back(active[k]);
-      rows.push_back(static_cast<int>(k));
-    }
-    if (!rows.empty())
-      response(rows, rows) = symmetric_inverse(block_of(stops.coupling(), contacts, contacts));
-  }
-  return response;
-}
-
 }  // namespace
 
 ContactDynamics::ContactDynamics(const Problem& problem) : ContactDynamics(problem, condense(problem)) {}
 
 ContactDynamics::ContactDynamics(const Problem& problem, CondensedStructure condensed)
-    : structure_(std::make_shared<FlowStructure>(problem, std::move(condensed))),
-      stops_(Stops::of(problem, *structure_)) {
+    : structure_(std::make_shared<FlowStructure>(problem, std::move(condensed))) {
+  std::vector<bool> rigid;
   for (int j = 0; j < contact_count(); ++j) {
     const Contact& contact = problem.contacts[static_cast<std::size_t>(structure_->scene_contact(j))];
     const auto* law = std::get_if<Restitution>(&contact.law);
+    rigid.push_back(law != nullptr);
     restitution_.push_back(law != nullptr ? law->e : 1.0);
   }
-  any_rigid_ = contact_count() == 0 || std::ranges::find(stops_->rigid(), true) != stops_->rigid().end();
+  any_rigid_ = rigid.empty() || std::ranges::find(rigid, true) != rigid.end();
+  stops_ = Stops::on(*structure_, rigid);
   constexpr int kSmall = 32;  // a dense product is then no dearer than sparse ones and a sparse solve
   const FlowStructure& s = *structure_;
   small_ = size() <= kSmall;
@@ -68,15 +52,9 @@ ContactDynamics::ContactDynamics(const Problem& problem, CondensedStructure cond
   }
 }
 
-ContactDynamics::ContactDynamics(const ContactDynamics& other, double frequency)
-    : structure_(std::make_shared<FlowStructure>(other.structure().at_frequency(frequency))),
-      stops_(Stops::on(*structure_, other.stops().rigid())),
-      restitution_(other.restitution_),
-      any_rigid_(other.any_rigid_),
-      small_(other.small_),
-      inverse_mass_stiffness_(other.inverse_mass_stiffness_),
-      inverse_mass_damping_(other.inverse_mass_damping_),
-      inverse_mass_load_(other.inverse_mass_load_) {
+ContactDynamics::ContactDynamics(const ContactDynamics& other, double frequency) : ContactDynamics(other) {
+  structure_ = std::make_shared<FlowStructure>(other.structure().at_frequency(frequency));
+  stops_ = Stops::on(*structure_, other.stops().rigid());
   for (LoadRate& load : inverse_mass_load_)
     load.rate = std::round(load.rate / other.structure().frequency) * frequency;
 }
@@ -86,10 +64,14 @@ ContactMode ContactDynamics::mode(const std::vector<bool>& closed) const {
   for (int j = 0; j < contact_count(); ++j) {
     if (closed[static_cast<std::size_t>(j)]) result.active.push_back(j);
   }
-  if (stops_->mixed())
-    result.response = response_by_kinds(*stops_, result.active);
-  else if (!result.active.empty())
-    result.response = symmetric_inverse(block_of(stops_->coupling(), result.active, result.active));
+  // Where some are rigid and others compliant, each kind alone: they have different units.
+  result.response.setZero(std::ssize(result.active), std::ssize(result.active));
+  const Eigen::MatrixXd coupling = block_of(stops_->coupling(), result.active, result.active);
+  for (const bool rigid : {true, false}) {
+    const std::vector<int> rows = stops_->places(result.active, rigid);
+    if (rows.empty()) continue;
+    result.response(rows, rows) = symmetric_inverse(block_of(coupling, rows, rows));
+  }
   return result;
 }
 

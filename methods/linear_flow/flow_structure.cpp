@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/linear_algebra/products.hpp"
@@ -103,12 +104,12 @@ void FlowStructure::follow_open() {
 
 // Of a compliance that is singular to rounding only a pseudo-inverse is known.
 void FlowStructure::find_unclear() {
-  constexpr double kKnown = 1e-12;
   const double scale = massless_compliance.diagonal().maxCoeff();
   const Eigen::MatrixXd rest = product(open_by_contacts, massless_compliance) - open.compliance;
   open_unclear.clear();
   for (Eigen::Index k = 0; k < rest.rows(); ++k) {
-    if (!(rest.row(k).cwiseAbs().maxCoeff() <= kKnown * scale)) open_unclear.push_back(static_cast<int>(k));
+    if (!(rest.row(k).cwiseAbs().maxCoeff() <= kMatrixRounding * scale))
+      open_unclear.push_back(static_cast<int>(k));
   }
 }
 
@@ -231,14 +232,8 @@ double FlowStructure::reduced_amplitude() const {
   for (std::size_t h = 0; h < rates.size(); ++h) {
     const std::complex<double> i_rate(0.0, rates[h]);
     const auto column = static_cast<Eigen::Index>(h);
-    const auto relaxed = [&](const Eigen::MatrixXcd& shifts, const Eigen::VectorXd& times) {
-      Eigen::VectorXcd x = shifts.col(column);
-      for (Eigen::Index j = 0; j < x.size(); ++j) x[j] /= 1.0 + times[j] * i_rate;
-      return x;
-    };
-    Eigen::VectorXcd x = relaxed(shift, relaxation), open_x;
-    if (open_amplitude.size() > 0) open_x = relaxed(open.shift, open.relaxation);
     // Displacements that are added have many harmonics, of contacts alone.
+    Eigen::VectorXcd u;
     if (!load.col(column).isZero(0.0)) {
       Eigen::VectorXcd z(size());
       for (int k = 0; k < size(); ++k) {
@@ -246,12 +241,18 @@ double FlowStructure::reduced_amplitude() const {
                                    inertia = mass.coeff(k, k);
         z[k] = elastic + i_rate * drag + i_rate * i_rate * inertia;
       }
-      const Eigen::VectorXcd u = load.col(column).cwiseQuotient(z);
-      x += image_of_complex_by_transposed(directions, u);
-      if (open_amplitude.size() > 0) open_x += image_of_complex_by_transposed(open.normals, u);
+      u = load.col(column).cwiseQuotient(z);
     }
-    amplitude += x.cwiseAbs();
-    if (open_amplitude.size() > 0) open_amplitude += open_x.cwiseAbs();
+    const auto add = [&](const Eigen::MatrixXcd& shifts, const Eigen::VectorXd& times,
+                         const Eigen::MatrixXd& directions_of, Eigen::VectorXd& sum) {
+      if (sum.size() == 0) return;
+      Eigen::VectorXcd x = shifts.col(column);
+      for (Eigen::Index j = 0; j < x.size(); ++j) x[j] /= 1.0 + times[j] * i_rate;
+      if (u.size() > 0) x += image_of_complex_by_transposed(directions_of, u);
+      sum += x.cwiseAbs();
+    };
+    add(shift, relaxation, directions, amplitude);
+    add(open.shift, open.relaxation, open.normals, open_amplitude);
   }
   return std::max(largest_of(amplitude), largest_of(open_amplitude));
 }

@@ -265,13 +265,13 @@ ModalFlow::Arc::Terms ModalFlow::Arc::terms_at(std::span<const double> times) co
     if (!has_faded(flow_.mu()[k], first - begin_)) terms.alive.push_back(k);
   const auto modes = std::ssize(terms.alive), harmonics = wave_.size();
   terms.rates.resize(modes + harmonics);
-  for (Eigen::Index k = 0; k < modes; ++k) terms.rates[k] = flow_.mu()[terms.mode(k)];
+  terms.rates.head(modes) = flow_.mu()(terms.alive);
   for (Eigen::Index h = 0; h < harmonics; ++h) terms.rates[modes + h] = Complex(0.0, rate(h));
   terms.becomes.resize(modes + harmonics, std::ssize(times));
   for (Eigen::Index i = 0; i < terms.becomes.cols(); ++i) {
     move_to(times[static_cast<std::size_t>(i)]);
-    for (Eigen::Index k = 0; k < modes; ++k) terms.becomes(k, i) = growth_[terms.mode(k)];
-    for (Eigen::Index h = 0; h < harmonics; ++h) terms.becomes(modes + h, i) = wave_[h];
+    terms.becomes.col(i).head(modes) = growth_(terms.alive);
+    terms.becomes.col(i).tail(harmonics) = wave_;
   }
   return terms;
 }
@@ -298,12 +298,9 @@ std::vector<Eigen::MatrixXd> ModalFlow::Arc::outputs(std::span<const double> tim
 // What the terms are in some of the outputs.
 Eigen::MatrixXcd ModalFlow::Arc::of_outputs(Eigen::Index first, Eigen::Index count,
                                             const Terms& terms) const {
-  const Eigen::Index modes = std::ssize(terms.alive);
   Eigen::MatrixXcd result(count, terms.rates.size());
-  for (Eigen::Index j = 0; j < result.cols(); ++j)
-    for (Eigen::Index i = 0; i < count; ++i)
-      result(i, j) =
-          j < modes ? contribution_(first + i, terms.mode(j)) : flow_.row_of_harmonic_(first + i, j - modes);
+  result.leftCols(std::ssize(terms.alive)) = contribution_(Eigen::seqN(first, count), terms.alive);
+  result.rightCols(wave_.size()) = flow_.row_of_harmonic_.middleRows(first, count);
   return result;
 }
 

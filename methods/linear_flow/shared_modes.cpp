@@ -1,39 +1,22 @@
 #include "methods/linear_flow/shared_modes.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace signorini {
 
-namespace {
-
-template <class Matrix>
-bool equal_matrices(const Matrix& a, const Matrix& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() == 0.0;
-}
-
-}  // namespace
-
-bool SharedModes::Entry::fits(const ModeEquations& equations) const {
-  const FlowStructure& structure = equations.structure();
-  return equal_matrices(mass, structure.mass) && equal_matrices(damping, equations.form.damping) &&
-         equal_matrices(stiffness, equations.form.stiffness) && equal_matrices(basis, equations.form.basis) &&
-         equal_matrices(output_of_state, equations.output_of_state) &&
-         equal_matrices(relaxing, equations.form.relaxing.of_xi) &&
-         equal_matrices(times, equations.form.relaxing.times);
-}
-
 std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations) {
-  const auto known = entries_.find(equations.mode.active);
-  if (known != entries_.end() && known->second.fits(equations)) return known->second.modes;
-  ++found_;
-  const FlowStructure& structure = equations.structure();
+  const FreeForm& form = equations.form;
+  std::vector<Eigen::MatrixXd> matrices{
+      equations.structure().mass, form.damping,        form.stiffness,     form.basis,
+      equations.output_of_state,  form.relaxing.of_xi, form.relaxing.times};
+  const auto equal = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() == 0.0;
+  };
   Entry& entry = entries_[equations.mode.active];
-  entry = {.mass = structure.mass,
-           .damping = equations.form.damping,
-           .stiffness = equations.form.stiffness,
-           .basis = equations.form.basis,
-           .output_of_state = equations.output_of_state,
-           .relaxing = equations.form.relaxing.of_xi,
-           .times = equations.form.relaxing.times,
-           .modes = modal_basis(equations)};
+  if (std::ranges::equal(entry.matrices, matrices, equal)) return entry.modes;
+  ++found_;
+  entry = {.matrices = std::move(matrices), .modes = modal_basis(equations)};
   return entry.modes;
 }
 

@@ -22,13 +22,8 @@ class SharedModes {
 
  private:
   struct Entry {
-    SparseMatrix mass;
-    Eigen::MatrixXd damping, stiffness, basis, output_of_state;  // with dashpots and springs; Q
-    Eigen::MatrixXd relaxing;                                    // RelaxingForm::of_xi
-    Eigen::VectorXd times;                                       // RelaxingForm::times
+    std::vector<Eigen::MatrixXd> matrices;  // that the modes are of
     std::shared_ptr<const ModalBasis> modes;
-
-    [[nodiscard]] bool fits(const ModeEquations& equations) const;
   };
 
   std::map<std::vector<int>, Entry> entries_;  // by the closed contacts

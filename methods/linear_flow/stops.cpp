@@ -29,6 +29,22 @@ Stops::Stops(const FlowStructure& structure, std::vector<bool> rigid)
   }
 }
 
+std::vector<int> Stops::places(const std::vector<int>& active, bool rigid) const {
+  std::vector<int> result;
+  for (std::size_t k = 0; k < active.size(); ++k)
+    if (this->rigid(active[k]) == rigid) result.push_back(static_cast<int>(k));
+  return result;
+}
+
+ContactMode Stops::part(const ContactMode& mode, bool rigid) const {
+  const std::vector<int> rows = places(mode.active, rigid);
+  if (rows.size() == mode.active.size()) return mode;
+  ContactMode result;
+  for (const int k : rows) result.active.push_back(mode.active[static_cast<std::size_t>(k)]);
+  if (!rows.empty()) result.response = block_of(mode.response, rows, rows);
+  return result;
+}
+
 MotionDerivatives Stops::derivatives(const ContactMode& mode, double time, const State& state,
                                      int order) const {
   MotionDerivatives motion{.u = Eigen::MatrixXd::Zero(structure_.positions(), order + 1),
@@ -70,81 +86,13 @@ void set_forces(const ContactMode& mode, const Eigen::VectorXd& of_closed, Eigen
     all[mode.active[i]] = of_closed[static_cast<Eigen::Index>(i)];
 }
 
-std::vector<bool> all_stops(const FlowStructure& structure, bool rigid) {
-  return std::vector<bool>(static_cast<std::size_t>(structure.contact_count()), rigid);
+std::vector<bool> none_rigid(const FlowStructure& structure) {
+  return std::vector<bool>(static_cast<std::size_t>(structure.contact_count()), false);
 }
-
-class RigidStops final : public Stops {
- public:
-  explicit RigidStops(const FlowStructure& structure) : Stops(structure, all_stops(structure, true)) {}
-
-  void add_acceleration(const ContactMode& mode, double, const Eigen::Ref<const Eigen::VectorXd>&,
-                        const Eigen::Ref<const Eigen::VectorXd>&,
-                        Eigen::Ref<Eigen::VectorXd> a) const override {
-    a += image_by_columns(structure_.velocity_per_impulse, mode.active, multiplier(mode, a));
-  }
-
-  void differentiate(const ContactMode& mode, double time, int k, Eigen::VectorXd load,
-                     MotionDerivatives& motion) const override {
-    motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
-    Eigen::VectorXd next = structure_.factors->solve(load);
-    if (!mode.active.empty()) {
-      const Eigen::VectorXd lambda = multiplier(mode, next);
-      next += image_by_columns(structure_.velocity_per_impulse, mode.active, lambda);
-      set_forces(mode, lambda, motion.lambda.col(k));
-    }
-    motion.u.col(k + 2) = next;
-  }
-
-  // The rate of lambda follows from u''', which takes the acceleration with the stops' own forces.
-  void forces(const ContactMode& mode, double time, const State& state, Eigen::VectorXd& x,
-              Eigen::VectorXd& rate, Eigen::VectorXd& force, Eigen::VectorXd& force_rate) const override {
-    if (!mode.active.empty()) return Stops::forces(mode, time, state, x, rate, force, force_rate);
-    x = structure_.unloaded(time, state.u, 0);
-    rate = structure_.unloaded(time, state.v, 1);
-    force = force_rate = Eigen::VectorXd::Zero(structure_.contact_count());
-  }
-
-  // dv/dt -> (I - M^-1 W_A G_AA^-1 W_A^T) dv/dt: what accelerates a held contact is taken away.
-  void constrain(const ContactMode& mode, Eigen::MatrixXd& from_u, Eigen::MatrixXd& from_v) const override {
-    const Eigen::MatrixXd active = columns_of(structure_.directions, mode.active);
-    const Eigen::MatrixXd back =
-        product(columns_of(structure_.velocity_per_impulse, mode.active), mode.response);
-    from_u -= product(back, product_of_transposed(active, from_u));
-    from_v -= product(back, product_of_transposed(active, from_v));
-  }
-
-  // The constraint is removed, not penalised: W_A^T u = g_A is met by u_g, W_A^T Q = 0 by every q. So the
-  // double eigenvalue zero that x_A'' = 0 has in the coordinates u is gone.
-  [[nodiscard]] FreeForm free_form(const ContactMode& mode) const override {
-    FreeForm form = open_form();
-    if (mode.active.empty()) return form;
-    const int n = structure_.size();
-    const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
-    const PivotedQr qr(W);
-    form.basis = qr.basis(n).rightCols(n - qr.rank());
-    form.offset = least_norm_solve(W.transpose(), entries_of(structure_.gaps, mode.active));
-    // lambda_A = -G_AA^-1 W_A^T M^-1 (f - K u - D u')
-    const Eigen::MatrixXd back =
-        product_by_transposed(mode.response, columns_of(structure_.velocity_per_impulse, mode.active));
-    form.force_of_state.resize(back.rows(), 2 * n);
-    form.force_of_state.leftCols(n) = product_by_sparse(back, structure_.stiffness);
-    form.force_of_state.rightCols(n) = product_by_sparse(back, structure_.damping);
-    form.force_of_load = product_of_complex(-back, structure_.load);
-    return form;
-  }
-
- private:
-  // lambda_A that cancels the acceleration W_A^T `free` of a structure without contact forces.
-  [[nodiscard]] Eigen::VectorXd multiplier(const ContactMode& mode, const Eigen::VectorXd& free) const {
-    return negative_image(mode.response,
-                          image_by_transposed_columns(structure_.directions, mode.active, free));
-  }
-};
 
 class CompliantStops final : public Stops {
  public:
-  explicit CompliantStops(const FlowStructure& structure) : Stops(structure, all_stops(structure, false)) {}
+  explicit CompliantStops(const FlowStructure& structure) : Stops(structure, none_rigid(structure)) {}
 
   void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                         const Eigen::Ref<const Eigen::VectorXd>&,
@@ -221,7 +169,7 @@ class CompliantStops final : public Stops {
 
 class RelaxingStops final : public Stops {
  public:
-  explicit RelaxingStops(const FlowStructure& structure) : Stops(structure, all_stops(structure, false)) {}
+  explicit RelaxingStops(const FlowStructure& structure) : Stops(structure, none_rigid(structure)) {}
 
   void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                         const Eigen::Ref<const Eigen::VectorXd>& v,
@@ -367,19 +315,9 @@ class RelaxingStops final : public Stops {
 
 }  // namespace
 
-std::unique_ptr<const Stops> Stops::of(const Problem& problem, const FlowStructure& structure) {
-  std::vector<bool> rigid;
-  for (int j = 0; j < structure.contact_count(); ++j) {
-    const Contact& contact = problem.contacts[static_cast<std::size_t>(structure.scene_contact(j))];
-    rigid.push_back(std::holds_alternative<Restitution>(contact.law));
-  }
-  return on(structure, rigid);
-}
-
 std::unique_ptr<const Stops> Stops::on(const FlowStructure& structure, const std::vector<bool>& rigid) {
   const bool any = std::ranges::find(rigid, true) != rigid.end();
-  if (any && std::ranges::find(rigid, false) != rigid.end()) return mixed_on(structure, rigid);
-  if (any || rigid.empty()) return std::make_unique<RigidStops>(structure);
+  if (any || rigid.empty()) return rigid_on(structure, rigid);
   if (structure.relaxing() > 0) return std::make_unique<RelaxingStops>(structure);
   return std::make_unique<CompliantStops>(structure);
 }

@@ -86,10 +86,8 @@ struct FreeForm {
 /// C_AA^-1 xi_A relax by themselves, beta z' + z = s_O - C_OA C_AA^-1 s_A.
 class Stops {
  public:
-  /// Those of a scene: rigid where its contacts have a restitution, else compliant, relaxing if besides the
-  /// structure has a relaxation time. `structure` must outlive them.
-  static std::unique_ptr<const Stops> of(const Problem& problem, const FlowStructure& structure);
-  /// Those of the same kinds, of each contact whether it is rigid, on a structure, which must outlive them.
+  /// Those of a structure, which must outlive them: of each contact whether it is rigid, else compliant,
+  /// relaxing if besides the structure has a relaxation time.
   static std::unique_ptr<const Stops> on(const FlowStructure& structure, const std::vector<bool>& rigid);
   virtual ~Stops() = default;
 
@@ -99,6 +97,10 @@ class Stops {
   [[nodiscard]] bool rigid(int contact) const { return rigid_[static_cast<std::size_t>(contact)]; }
   /// Whether some contacts do and others do not.
   [[nodiscard]] bool mixed() const { return mixed_; }
+  /// Where in a list of contacts those are that are rigid, or those that give way, ascending.
+  [[nodiscard]] std::vector<int> places(const std::vector<int>& contacts, bool rigid) const;
+  /// The closed contacts of a mode that are rigid, or those that give way, with their own response.
+  [[nodiscard]] ContactMode part(const ContactMode& mode, bool rigid) const;
   /// G or C, by which the forces of closed contacts depend on each other, Nc x Nc. Forces of compliant stops
   /// follow from the state alone: between a rigid and a compliant one it is 0.
   [[nodiscard]] const Eigen::MatrixXd& coupling() const { return coupling_; }
@@ -144,8 +146,8 @@ class Stops {
  protected:
   /// \param structure  of the scene, kept by the caller
   Stops(const FlowStructure& structure, std::vector<bool> rigid);
-  /// Rigid and compliant ones (mixed_stops.cpp).
-  static std::unique_ptr<const Stops> mixed_on(const FlowStructure& structure,
+  /// Rigid ones, alone or beside others (rigid_stops.cpp).
+  static std::unique_ptr<const Stops> rigid_on(const FlowStructure& structure,
                                                const std::vector<bool>& rigid);
   /// The form of a mode without closed contacts.
   [[nodiscard]] FreeForm open_form() const;

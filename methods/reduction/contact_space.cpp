@@ -6,11 +6,11 @@
 #include <complex>
 #include <limits>
 #include <optional>
-#include <random>
 #include <utility>
 #include <variant>
 
 #include "methods/reduction/principal_directions.hpp"
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
@@ -29,9 +29,8 @@ constexpr int kLowestToSolve = 48;
 // Vectors to solve on for the force of a motion: the lowest of all, whatever the force, and at most so many
 // others.
 constexpr Eigen::Index kLowest = 30, kMostToSolve = 150;
-// A space begins with so many vectors, and grows for the forces of motions.
-constexpr int kBegun = 96;
-// Where coordinates are not many a vector costs less than to find that one is missing.
+// A space begins with twice as many vectors, and grows for the forces of motions; where coordinates are not
+// many with more, since a vector costs less than to find that one is missing.
 constexpr int kBegunOfSmall = 180, kSmallStructure = 20000;
 // Coordinates with mass of which a space takes all.
 constexpr int kAllOf = 300;
@@ -40,11 +39,8 @@ constexpr int kAllOf = 300;
 /// move what contacts see most. Blocks of 16 solve several times faster than single columns. The same numbers
 /// at every call.
 SparseMatrix start_of_many(const ContactColumns& columns) {
-  constexpr Eigen::Index kStarted = 16, kLeastRandom = 8;
-  std::mt19937 random(1);
-  Eigen::MatrixXd parts(columns.normals.cols(), std::max(kLeastRandom, kStarted - columns.pushes.cols()));
-  constexpr double kRange = 4294967296.0;
-  for (double& value : parts.reshaped()) value = static_cast<double>(random()) / kRange - 0.5;
+  const Eigen::MatrixXd parts = random_columns(
+      columns.normals.cols(), std::max(kSolvedTogether / 2, kSolvedTogether - columns.pushes.cols()));
   return side_by_side(columns.pushes, SparseMatrix(sparse_product(columns.normals, parts).sparseView()));
 }
 
@@ -92,9 +88,8 @@ struct ContactSpace::Source {
   /// Whether nothing but rounding of what acts is statically outside; a space may be invariant without that,
   /// where many parts of a structure are alike.
   [[nodiscard]] bool holds_statics(const SpaceProjection& projection) const {
-    constexpr double kNothing = 1e-12;
-    return !statics ||
-           projection.outside.diagonal().maxCoeff() <= kNothing * statics->rest().diagonal().maxCoeff();
+    return !statics || projection.outside.diagonal().maxCoeff() <=
+                           kMatrixRounding * statics->rest().diagonal().maxCoeff();
   }
 
   void grow_to(Eigen::Index enough) {
@@ -150,9 +145,9 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
     return;
   }
   given_small_ = settings.small > 0;
-  const int unasked = source_->few() ? kBegun : kLowestToSolve;
+  const int unasked = source_->few() ? 2 * kLowestToSolve : kLowestToSolve;
   const int small = given_small_ ? settings.small : unasked;
-  const int least = source_->few() && most <= kSmallStructure ? kBegunOfSmall : kBegun;
+  const int least = source_->few() && most <= kSmallStructure ? kBegunOfSmall : 2 * kLowestToSolve;
   const int begun = given_small_ ? std::max(2 * small, least) : least;
   const int enough = most <= kAllOf ? static_cast<int>(most) : begun;
   source_->begun = settings.whole > 0 ? settings.whole : enough;
@@ -214,10 +209,6 @@ SpaceProjection ContactSpace::take_whole() {
   return refined;
 }
 
-double ContactSpace::bound_size(double base, const Eigen::MatrixXcd& force) const {
-  return root_mean_square(bound(base, force));
-}
-
 Eigen::MatrixXcd ContactSpace::acting(double base, const Eigen::MatrixXcd& force) const {
   Eigen::MatrixXcd result(ports_.cols(), force.rows());
   result << force.transpose(), load_.coefficients(base, static_cast<int>(force.rows()) - 1).transpose();
@@ -245,7 +236,6 @@ Eigen::VectorXd ContactSpace::work_bound(double base, const Eigen::MatrixXcd& fo
 
 ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all) const {
   constexpr double kMostBytes = 4e9;  // of all vectors
-  constexpr double kLeftOut = 0.3;
   constexpr Eigen::Index kMostVectors = 1500, kMostPowers = 8, kFewVectors = 400;
   ContactSpace result = *this;
   BlockLanczos& space = source_->vectors();
@@ -265,7 +255,7 @@ ContactSpace ContactSpace::grown_for(double base, const std::vector<Wanted>& all
       idle = bound > 0.5 * before ? idle + 1 : 0;
       before = bound;
       if (space.size() >= most) break;
-      if (SpaceRemainder::left_out_size(residuals) > kLeftOut * tolerance) {
+      if (SpaceRemainder::left_out_matters(residuals, tolerance)) {
         space.grow_by_left_out();
         continue;
       }
@@ -292,7 +282,7 @@ ContactSpace ContactSpace::solved_for(double base, const Eigen::MatrixXcd& force
   Eigen::MatrixXcd moved = amplitudes(base, acting(base, force)).modal.topRows(others);
   if (static_residual()) {
     for (Eigen::Index n = 0; n < moved.cols(); ++n) {
-      const auto [kappa, mu, least] = pencil(static_cast<double>(n) * base);
+      const auto [kappa, mu, load] = response_pencil(damping_, static_cast<double>(n) * base);
       moved.col(n).array() *= theta_.head(others).array().cast<Complex>() * (mu / kappa);
     }
   }
@@ -343,7 +333,7 @@ ContactSpace ContactSpace::of(const Problem& problem) const {
 ContactSpace::Amplitudes ContactSpace::amplitudes(double base, const Eigen::MatrixXcd& acting) const {
   Amplitudes result{.modal = dense_product(ports_, acting), .direct = acting};
   for (Eigen::Index n = 0; n < acting.cols(); ++n) {
-    const auto [kappa, mu, least] = pencil(static_cast<double>(n) * base);
+    const auto [kappa, mu, load] = response_pencil(damping_, static_cast<double>(n) * base);
     const Eigen::VectorXcd z = (mu * theta_.cast<Complex>()).array() + kappa;
     const double scale = std::abs(kappa) + std::abs(mu) * theta_.maxCoeff();
     if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
@@ -382,11 +372,10 @@ Eigen::MatrixXcd ContactSpace::missing(double base, const Eigen::MatrixXcd& forc
   return contact_response(whole_, base, force) - contact_response(small_, base, force);
 }
 
-ResponsePencil ContactSpace::pencil(double rate) const { return {damping_, rate, theta_}; }
-
 double ContactSpace::distance_from_resonance(double base, int harmonics) const {
   double least = 1.0;
-  for (int n = 0; n <= harmonics; ++n) least = std::min(least, pencil(n * base).least);
+  for (int n = 0; n <= harmonics; ++n)
+    least = std::min(least, distance_from_singular(response_pencil(damping_, n * base), theta_));
   return least;
 }
 

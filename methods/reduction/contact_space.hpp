@@ -109,8 +109,6 @@ class ContactSpace {
   /// afterwards makes them anew. Not during a growth. For the end of a solve, after which growths may never
   /// be asked for. \return whether it did
   [[nodiscard]] bool release() const;
-  /// The root mean square over time of `bound` [m].
-  [[nodiscard]] double bound_size(double base, const Eigen::MatrixXcd& force) const;
   /// The least d over harmonics 0..harmonics: the response to a change of K relative to K is no more than its
   /// inverse times the response [-].
   [[nodiscard]] double distance_from_resonance(double base, int harmonics) const;
@@ -118,7 +116,6 @@ class ContactSpace {
  private:
   struct Source;
 
-  [[nodiscard]] ResponsePencil pencil(double rate) const;
   /// b_n of contacts and load, (Nc + Nf) x (H+1).
   [[nodiscard]] Eigen::MatrixXcd acting(double base, const Eigen::MatrixXcd& force) const;
   [[nodiscard]] SpaceRemainder::Residuals residuals(double base, const Eigen::MatrixXcd& acting,

@@ -4,20 +4,13 @@
 
 namespace signorini {
 
-namespace {
-
-bool same_shape(const ForceTerm& a, const ForceTerm& b) {
-  return a.dof == b.dof && a.harmonic == b.harmonic && a.cos == b.cos && a.sin == b.sin;
-}
-
-bool same_direction(const Contact& a, const Contact& b) { return a.normal == b.normal; }
-
-}  // namespace
-
 bool KeptSpace::fits(const Problem& problem) const {
+  const auto same_shape = [](const ForceTerm& a, const ForceTerm& b) {
+    return a.dof == b.dof && a.harmonic == b.harmonic && a.cos == b.cos && a.sin == b.sin;
+  };
   return space_ && of_.structure == problem.structure &&
          std::ranges::equal(of_.force, problem.force, same_shape) &&
-         std::ranges::equal(of_.contacts, problem.contacts, same_direction);
+         std::ranges::equal(of_.contacts, problem.contacts, {}, &Contact::normal, &Contact::normal);
 }
 
 std::shared_ptr<const ContactSpace> KeptSpace::of(const Problem& problem) {

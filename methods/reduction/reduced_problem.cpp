@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
@@ -14,15 +15,12 @@ namespace signorini {
 
 namespace {
 
-// Least eigenvalue of C_m scaled to unit diagonal with which its inverse means anything, and least share of
-// it in the static compliance of a contact that is more than rounding.
-constexpr double kDefinite = 1e-12;
-
+// Whether the inverse of C_m, scaled to unit diagonal, means anything.
 bool is_well_definite(const Eigen::MatrixXd& C) {
   if (C.size() == 0) return true;
   if (!(C.diagonal().minCoeff() > 0.0)) return false;
   const Eigen::VectorXd unit = C.diagonal().cwiseSqrt().cwiseInverse();
-  return symmetric_eigenvalues(unit.asDiagonal() * C * unit.asDiagonal()).minCoeff() > kDefinite;
+  return symmetric_eigenvalues(unit.asDiagonal() * C * unit.asDiagonal()).minCoeff() > kMatrixRounding;
 }
 
 // The contacts that have a static residual; a spring without one acts on the vectors alone, as where they are
@@ -32,7 +30,7 @@ std::vector<int> with_residual(const Problem& scene, const ContactReduction& red
   for (int j = 0; j < scene.contact_count(); ++j) {
     const double of_vectors = reduction.rows.col(j).cwiseAbs2().cwiseQuotient(reduction.squares).sum();
     const bool spring = std::holds_alternative<Spring>(scene.contacts[static_cast<std::size_t>(j)].law);
-    if (!spring || reduction.compliance(j, j) > kDefinite * of_vectors) contacts.push_back(j);
+    if (!spring || reduction.compliance(j, j) > kMatrixRounding * of_vectors) contacts.push_back(j);
   }
   return contacts;
 }

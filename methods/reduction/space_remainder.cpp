@@ -31,10 +31,9 @@ double largest(const Eigen::VectorXd& values) { return values.size() == 0 ? 0.0 
 
 }  // namespace
 
-ResponsePencil::ResponsePencil(const ProportionalDamping& damping, double rate, const Eigen::VectorXd& theta)
-    : kappa(1.0, damping.beta * rate),
-      mu(-rate * rate, damping.alpha * rate),
-      least(distance_from_singular({.kappa = kappa, .mu = mu, .load = {}}, theta)) {}
+HarmonicPencil response_pencil(const ProportionalDamping& damping, double rate) {
+  return {.kappa = {1.0, damping.beta * rate}, .mu = {-rate * rate, damping.alpha * rate}, .load = {}};
+}
 
 SpaceRemainder::SpaceRemainder(const BlockLanczos& space, const SpaceProjection& projection,
                                const StaticCompliance* statics) {
@@ -69,7 +68,7 @@ SpaceRemainder::SpaceRemainder(const BlockLanczos& space, const SpaceProjection&
   smoothing_ = std::max(smoothing_, statics->largest_quotient());
 }
 
-SpaceRemainder::OfContacts SpaceRemainder::of_contacts(const ResponsePencil& pencil,
+SpaceRemainder::OfContacts SpaceRemainder::of_contacts(const HarmonicPencil& pencil,
                                                        const Eigen::VectorXd& theta,
                                                        const Eigen::MatrixXd& contacts) const {
   const Eigen::VectorXcd inverse =
@@ -103,7 +102,7 @@ SpaceRemainder::Residuals SpaceRemainder::residuals(const ProportionalDamping& d
   Eigen::MatrixXcd moved = dense_product(ports, acting);
   const auto at = [&](Eigen::Index n) {
     if (contacts == 0) return OfContacts{};
-    return of_contacts(ResponsePencil(damping, static_cast<double>(n) * base, theta), theta, of_unit);
+    return of_contacts(response_pencil(damping, static_cast<double>(n) * base), theta, of_unit);
   };
   OfContacts before, after;  // at the evaluated harmonics about n
   Eigen::Index next = 0;
@@ -113,14 +112,15 @@ SpaceRemainder::Residuals SpaceRemainder::residuals(const ProportionalDamping& d
       next = std::max(n + 1, static_cast<Eigen::Index>(kNextHarmonic * static_cast<double>(n)));
       after = at(next);
     }
-    const ResponsePencil here(damping, static_cast<double>(n) * base, theta);
+    const HarmonicPencil here = response_pencil(damping, static_cast<double>(n) * base);
+    const double least = distance_from_singular(here, theta);
     moved.col(n).array() *= std::abs(here.mu) / ((here.mu * theta.cast<Complex>()).array() + here.kappa);
     result.beyond[n] = std::sqrt(
         std::max({0.0, acting.col(n).dot(weighed.col(n)).real(), rounding_ * acting.col(n).squaredNorm()}));
     result.ratio[n] = std::abs(here.mu / here.kappa);
-    result.least[n] = here.least;
+    result.least[n] = least;
     result.elastic[n] = std::abs(here.kappa);
-    result.factor[n] = (std::max(before.bracket, after.bracket) + left_out_of_start_) / here.least;
+    result.factor[n] = (std::max(before.bracket, after.bracket) + left_out_of_start_) / least;
     result.cross[n] = std::max(before.moved, after.moved) / std::abs(here.kappa);
     result.cross_left_out[n] = std::max(before.left_out, after.left_out) / std::abs(here.kappa);
   }
@@ -162,8 +162,8 @@ Eigen::VectorXd SpaceRemainder::weighted_bound(const Residuals& of_weights, cons
          (moved.cwiseProduct(left.ahead) + hidden.cwiseProduct(left.still)).cwiseQuotient(residuals.elastic);
 }
 
-double SpaceRemainder::left_out_size(const Residuals& residuals) {
-  return root_mean_square(residuals.factor.cwiseProduct(residuals.left_out.transpose()));
+bool SpaceRemainder::left_out_matters(const Residuals& residuals, double tolerance) {
+  return root_mean_square(residuals.factor.cwiseProduct(residuals.left_out.transpose())) > kLeft * tolerance;
 }
 
 Eigen::MatrixXd SpaceRemainder::longest(const Residuals& residuals, double tolerance) const {

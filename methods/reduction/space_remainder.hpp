@@ -10,16 +10,8 @@
 
 namespace signorini {
 
-/// kappa = 1 + i beta w, mu = -w^2 + i alpha w of Z = kappa K + mu M, and d = min |kappa + mu theta| over the
-/// spectrum of K^-1 M, 0 to the largest of `theta` (without damping over `theta` alone, an estimate).
-struct ResponsePencil {
-  std::complex<double> kappa, mu;
-  double least = 0.0;  ///< d [-]
-
-  /// \param rate   w [rad/s]
-  /// \param theta  Ritz values of K^-1 M, rising [s^2]
-  ResponsePencil(const ProportionalDamping& damping, double rate, const Eigen::VectorXd& theta);
-};
+/// kappa = 1 + i beta w, mu = -w^2 + i alpha w of Z = kappa K + mu M, without a load. \param rate  w [rad/s]
+HarmonicPencil response_pencil(const ProportionalDamping& damping, double rate);
 
 /// What a space V with V^T K V = 1 leaves out of the response u to a force B b at one harmonic, B = [N, F].
 /// With t = V^T M V, r = V^T B, T = K^-1 M,
@@ -36,6 +28,7 @@ struct ResponsePencil {
 ///
 ///     |x_j - x_j^space| <= (|R e_j| + |mu X y_j|) rho(b) / d + |mu X y_j| |R b| / |kappa|,
 ///
+/// d = min |kappa + mu theta| over the spectrum of K^-1 M (`distance_from_singular`),
 /// the last term since u is not quite the Galerkin solution in V and R b. With y_j = 0 in that argument the
 /// bracket is |e_j| in the norm of K^-1 and there is no last term: the smaller bracket of the two is taken.
 /// Where the space was started from all of B, R is rounding and measured as such.
@@ -80,8 +73,9 @@ class SpaceRemainder {
                                                const Residuals& residuals,
                                                const Eigen::MatrixXcd& acting) const;
 
-  /// What `left_out` adds to the root mean square over time of the bound [m].
-  [[nodiscard]] static double left_out_size(const Residuals& residuals);
+  /// Whether what `left_out` adds to the root mean square over time of the bound is no small part of
+  /// `tolerance` [m].
+  [[nodiscard]] static bool left_out_matters(const Residuals& residuals, double tolerance);
 
   /// Directions among the vectors that would come next in which the residuals of all harmonics are longest,
   /// each as it counts in the bound, orthonormal, the longest last: as many as leave a part of `tolerance`
@@ -105,7 +99,7 @@ class SpaceRemainder {
     double bracket = 0.0;                // |R e_j| + |mu X y_j|
     double moved = 0.0, left_out = 0.0;  // |mu X y_j| in the vectors that would come next, and elsewhere
   };
-  [[nodiscard]] OfContacts of_contacts(const ResponsePencil& pencil, const Eigen::VectorXd& theta,
+  [[nodiscard]] OfContacts of_contacts(const HarmonicPencil& pencil, const Eigen::VectorXd& theta,
                                        const Eigen::MatrixXd& contacts) const;
 
   Eigen::MatrixXd outside_;      // X in the vectors that would come next, of Ritz vectors, f x k

@@ -12,6 +12,9 @@ inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Rounding of a few dozen operations, relative [-].
 inline constexpr double kSumRounding = 64.0 * kEpsilon;
+/// What is smaller, relative to what it is a part or a difference of, is the rounding of a computed matrix
+/// [-].
+inline constexpr double kMatrixRounding = 1e-12;
 /// Beyond any number [-].
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

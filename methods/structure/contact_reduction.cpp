@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdint>
-#include <limits>
 #include <numbers>
-#include <random>
 #include <string>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/bases/block_lanczos.hpp"
 #include "methods/structure/bases/modal_reduction.hpp"
@@ -23,18 +21,6 @@ namespace {
 constexpr int kPowers = 6;
 constexpr int kMostOfPowers = 300;
 constexpr int kLeastVectors = 60;
-constexpr int kModes = 100;
-// Random columns beside the loads: blocks of 16 solve several times faster than single columns.
-constexpr int kRandomColumns = 15;
-
-/// M times columns of uniform numbers: nothing at massless coordinates. The same numbers at every call.
-SparseMatrix random_columns(const SparseMatrix& mass) {
-  std::mt19937 random(1);
-  Eigen::MatrixXd columns(mass.rows(), kRandomColumns);
-  constexpr double kRange = 4294967296.0;
-  for (double& value : columns.reshaped()) value = static_cast<double>(random()) / kRange - 0.5;
-  return Eigen::MatrixXd(mass * columns).sparseView();
-}
 
 /// Basis and size, none left open.
 ReductionSettings chosen(ReductionSettings settings, Eigen::Index contacts, Eigen::Index loads) {
@@ -62,17 +48,20 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   const SparseMatrix &normals = columns.normals, &pushes = columns.pushes;
   const ReductionSettings asked = chosen(settings, normals.cols(), pushes.cols());
   const bool krylov = asked.basis == ReductionBasis::krylov;
-  const SparseMatrix start = krylov ? columns.all() : side_by_side(pushes, random_columns(problem.mass()));
+  // M times random columns is nothing at massless coordinates.
+  const SparseMatrix start =
+      krylov ? columns.all()
+             : side_by_side(pushes,
+                            SparseMatrix(Eigen::MatrixXd(problem.mass() *
+                                                         random_columns(problem.size(), kSolvedTogether - 1))
+                                             .sparseView()));
   // More vectors than coordinates with mass would be rounding.
   const Eigen::Index most = columns.most();
   BlockLanczos space(problem.stiffness(), problem.mass(), start, most);
-  if (!space.definite()) {
-    result.obstacle = std::string(kNotDefinite);
-    return result;
-  }
+  if (!space.definite()) return ContactReduction::refused(kNotDefinite);
   // Of a Krylov space from random columns the upper half has not converged to modes, nor have the lowest
   // before some powers.
-  const Eigen::Index enough = krylov ? asked.vectors : 2 * asked.vectors + kPowers * (kRandomColumns + 1);
+  const Eigen::Index enough = krylov ? asked.vectors : 2 * asked.vectors + kPowers * kSolvedTogether;
   while (space.size() < enough && !space.exhausted()) space.grow();
   if (krylov) {
     result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());
@@ -107,24 +96,39 @@ CondensedStructure condensed(const ContactReduction& reduction) {
   return result;
 }
 
+namespace {
+
+using Complex = std::complex<double>;
+
+/// z_k of all vectors and what C_m is divided by, at the weights of a harmonic.
+struct Divisors {
+  Eigen::VectorXcd of_vectors;
+  Complex of_rest;
+};
+
+/// \throws SingularStiffness where some z_k vanishes to rounding
+Divisors divisors(const ContactReduction& reduction, const HarmonicWeights& w) {
+  const Divisors result{.of_vectors = w.mass + w.damping * reduction.damping.cast<Complex>().array() +
+                                      w.stiffness * reduction.squares.cast<Complex>().array(),
+                        .of_rest = w.stiffness + reduction.relaxation * w.damping};
+  const double scale = std::abs(w.mass) + std::abs(w.damping) * reduction.damping.maxCoeff() +
+                       std::abs(w.stiffness) * reduction.squares.maxCoeff();
+  if (!(result.of_vectors.cwiseAbs().minCoeff() > kEpsilon * scale)) throw SingularStiffness();
+  return result;
+}
+
+}  // namespace
+
 ContactReceptance contact_receptance(const ContactReduction& reduction, double period, int harmonics,
                                      const WeightsOfHarmonic& weights) {
-  using Complex = std::complex<double>;
   const double base = 2.0 * std::numbers::pi / period;
-  const Eigen::ArrayXcd squares = reduction.squares.cast<Complex>(),
-                        damping = reduction.damping.cast<Complex>();
   const Eigen::MatrixXcd rows = reduction.rows.cast<Complex>();
   ContactReceptance result;
   result.period = period;
   result.free_response = Eigen::MatrixXcd::Zero(harmonics + 1, reduction.contacts());
   for (int n = 0; n <= harmonics; ++n) {
     const HarmonicWeights w = weights(n);
-    const Complex kappa = w.stiffness + reduction.relaxation * w.damping;
-    const Eigen::VectorXcd z = w.mass + w.damping * damping + w.stiffness * squares;
-    const double scale = std::abs(w.mass) + std::abs(w.damping) * reduction.damping.maxCoeff() +
-                         std::abs(w.stiffness) * reduction.squares.maxCoeff();
-    if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
-      throw SingularStiffness();
+    const auto [z, kappa] = divisors(reduction, w);
     const Eigen::MatrixXcd response = z.cwiseInverse().asDiagonal() * rows;
     result.receptance.emplace_back(rows.transpose() * response +
                                    reduction.compliance.cast<Complex>() / kappa);
@@ -143,9 +147,6 @@ ContactReceptance contact_receptance(const ContactReduction& reduction, double p
 
 Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base,
                                   const Eigen::MatrixXcd& force) {
-  using Complex = std::complex<double>;
-  const Eigen::ArrayXcd squares = reduction.squares.cast<Complex>(),
-                        damping = reduction.damping.cast<Complex>();
   const Eigen::Index count = force.rows();
   std::vector<int> pushing;  // of many contacts few close
   for (int j = 0; j < static_cast<int>(force.cols()); ++j) {
@@ -162,12 +163,7 @@ Eigen::MatrixXcd contact_response(const ContactReduction& reduction, double base
     direct.col(n) += half * reduction.shift.col(static_cast<Eigen::Index>(h));
   }
   for (Eigen::Index n = 0; n < count; ++n) {
-    const double rate = static_cast<double>(n) * base;
-    const Complex kappa(1.0, reduction.relaxation * rate);
-    const Eigen::VectorXcd z = squares + Complex(0.0, rate) * damping - rate * rate;
-    const double scale = rate * rate + rate * reduction.damping.maxCoeff() + reduction.squares.maxCoeff();
-    if (!(z.cwiseAbs().minCoeff() > std::numeric_limits<double>::epsilon() * scale))
-      throw SingularStiffness();
+    const auto [z, kappa] = divisors(reduction, exact_weights(static_cast<double>(n) * base));
     modal.col(n).array() /= z.array();
     direct.col(n) /= kappa;
   }

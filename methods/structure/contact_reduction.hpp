@@ -12,6 +12,9 @@
 
 namespace signorini {
 
+/// Vectors of a reduction to modes of which no number is asked [-].
+inline constexpr int kModes = 100;
+
 /// Which vectors a reduction keeps.
 enum class ReductionBasis {
   automatic,  ///< krylov while six powers of contacts and loads have at most 300 columns, else modes

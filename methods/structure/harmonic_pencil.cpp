@@ -19,9 +19,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Damping relative to stiffness and inertia below which it is rounding.
-constexpr double kUndamped = 1e-12;
-
 /// Columns of a sparse matrix, appended one by one.
 struct ColumnList {
   std::vector<Eigen::Triplet<double>> entries;
@@ -92,7 +89,7 @@ double distance_from_singular(const HarmonicPencil& pencil, const Eigen::VectorX
       size > 0.0 ? std::clamp(-(std::conj(pencil.mu) * pencil.kappa).real() / size, 0.0, top) : 0.0;
   const double least = std::abs(pencil.kappa + pencil.mu * nearest);
   const double scale = std::abs(pencil.kappa) + std::abs(pencil.mu) * top;
-  if (least > kUndamped * scale) return least;
+  if (least > kMatrixRounding * scale) return least;  // else it is undamped
   return (pencil.kappa + pencil.mu * theta.array().cast<Complex>()).abs().minCoeff();
 }
 

@@ -22,18 +22,6 @@ namespace signorini {
 
 namespace {
 
-// Right-hand sides solved for at a time: bounds what is kept beside the factors.
-constexpr int kColumns = 32;
-
-// Vectors of the reduction that goes with a receptance: a march's grid leaves more than others would.
-constexpr Eigen::Index kMarchedVectors = 100;
-
-ContactReduction no_reduction(std::string obstacle) {
-  ContactReduction result;
-  result.obstacle = std::move(obstacle);
-  return result;
-}
-
 /// Harmonics 0..last that rise by a tenth.
 std::vector<std::size_t> sampled_harmonics(std::size_t last) {
   std::vector<std::size_t> result;
@@ -115,7 +103,7 @@ class ReducedModel {
   /// On the lowest vectors. \param weights  of the loads that the space was started from
   [[nodiscard]] ContactReduction reduction(const Problem& problem, const ProportionalDamping& damping,
                                            const WeightsOfHarmonic& weights) const {
-    if (shift_ > 0.0) return no_reduction(std::string(kNotDefinite));
+    if (shift_ > 0.0) return ContactReduction::refused(kNotDefinite);
     ContactColumns columns;
     columns.damping = damping;
     columns.normals = SparseMatrix(problem.size(), contacts_);
@@ -132,7 +120,7 @@ class ReducedModel {
     columns.load.weight.resize(loads, std::ssize(parts));
     for (std::size_t h = 0; h < parts.size(); ++h)
       columns.load.weight.col(static_cast<Eigen::Index>(h)) = parts[h];
-    return reduction_on(columns, projection_from_start(*space_, contacts_), kMarchedVectors);
+    return reduction_on(columns, projection_from_start(*space_, contacts_), kModes);
   }
 
  private:
@@ -220,17 +208,17 @@ void factorise_harmonics(const Problem& problem, const std::vector<int>& harmoni
         Eigen::MatrixXd(directions.middleCols(first, count)).cast<std::complex<double>>());
   };
   // Few contacts have the same right-hand sides at every harmonic; those of many are too large to be kept.
-  const Eigen::MatrixXcd kept = contacts <= kColumns ? normals(0, contacts) : Eigen::MatrixXcd{};
+  const Eigen::MatrixXcd kept = contacts <= kMostSolvedAtOnce ? normals(0, contacts) : Eigen::MatrixXcd{};
   for (const int n : harmonics) {
     const HarmonicWeights weight = weights(n);
     if (!factorise_or_hold(problem, weight, stiffness, result)) continue;
     Eigen::MatrixXcd& receptance = result.receptance[static_cast<std::size_t>(n)];
     receptance.resize(contacts, contacts);
-    for (int first = 0; first < contacts; first += kColumns) {
-      const int count = std::min(kColumns, contacts - first);
+    for (int first = 0; first < contacts; first += kMostSolvedAtOnce) {
+      const int count = std::min(kMostSolvedAtOnce, contacts - first);
       receptance.middleCols(first, count) =
           directions.transpose() *
-          (contacts <= kColumns ? stiffness.solve(kept) : stiffness.solve(normals(first, count)));
+          (contacts <= kMostSolvedAtOnce ? stiffness.solve(kept) : stiffness.solve(normals(first, count)));
     }
     if (n > loaded) continue;
     const Eigen::MatrixXcd load = weight.load * load_coefficient(problem, n);
@@ -326,7 +314,7 @@ ReducedReceptance reduced_contact_receptance(const Problem& problem, int harmoni
     }
   }
   return {.value = factorised_receptance(problem, harmonics, weights, prefers_dense(problem)),
-          .reduction = no_reduction("every harmonic was factorised")};
+          .reduction = ContactReduction::refused("every harmonic was factorised")};
 }
 
 ContactReceptance contact_receptance(const Problem& problem, int harmonics,

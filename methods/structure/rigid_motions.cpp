@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
+#include "methods/structure/bases/modal_reduction.hpp"
+#include "methods/structure/bases/ritz_reduction.hpp"
 #include "problems/assembly/penalty_supports.hpp"
 #include "problems/definite_solver.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
@@ -22,9 +24,6 @@ namespace signorini {
 
 namespace {
 
-constexpr double kNoSpring = 1e-12;  // of the diagonal: rounding of an assembly
-constexpr int kMostByAllEigenvalues = 400;
-
 /// S K S of unit diagonal, S diagonal, or less where inertia outweighs springs; 1 on rows without either.
 SparseMatrix unit_diagonal(const SparseMatrix& K, const Problem& problem, Eigen::VectorXd& scale) {
   constexpr double kInertia = 1e-2;
@@ -35,7 +34,8 @@ SparseMatrix unit_diagonal(const SparseMatrix& K, const Problem& problem, Eigen:
   return scale.asDiagonal() * K * scale.asDiagonal();
 }
 
-/// Vectors of the least eigenvalues of A, symmetric and semidefinite of unit diagonal: those below kNoSpring.
+/// Vectors of the least eigenvalues of A, symmetric and semidefinite of unit diagonal: those below
+/// kMatrixRounding.
 Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
   constexpr double kShift = 1e-9;
   constexpr int kColumnsAtFirst = 8, kMostColumns = 64, kIterations = 12;
@@ -44,10 +44,8 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
   const SparseMatrix shifted = A + kShift * one;
   const auto solver = factorise_here(shifted);
   if (!solver->definite()) return Eigen::MatrixXd(A.rows(), 0);
-  std::mt19937 random(1);
   for (int columns = kColumnsAtFirst;; columns *= 2) {
-    Eigen::MatrixXd X(A.rows(), columns);
-    for (double& entry : X.reshaped()) entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    Eigen::MatrixXd X = random_columns(A.rows(), columns);
     Eigen::VectorXd values;
     for (int k = 0; k < kIterations; ++k) {
       X = solver->solve(X);
@@ -56,7 +54,7 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
       X = X * ritz.vectors;
       values = ritz.values;
     }
-    const Eigen::Index count = (values.array() < kNoSpring).count();
+    const Eigen::Index count = (values.array() < kMatrixRounding).count();
     if (count < columns || columns >= kMostColumns) return X.leftCols(count);
   }
 }
@@ -65,11 +63,11 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
 Eigen::MatrixXd null_space(const SparseMatrix& A) {
   SparseMatrix one(A.rows(), A.cols());
   one.setIdentity();
-  if (factorise_here(A - 2.0 * kNoSpring * one)->definite()) return Eigen::MatrixXd(A.rows(), 0);
-  if (A.rows() > kMostByAllEigenvalues) return null_space_by_iteration(A);
+  if (factorise_here(A - 2.0 * kMatrixRounding * one)->definite()) return Eigen::MatrixXd(A.rows(), 0);
+  if (A.rows() > kMostModal) return null_space_by_iteration(A);
   const SymmetricEigen all = symmetric_eigen(Eigen::MatrixXd(A));
-  if (!all.converged || all.values[0] < -kNoSpring) return Eigen::MatrixXd(A.rows(), 0);
-  return all.vectors.leftCols((all.values.array() < kNoSpring).count());
+  if (!all.converged || all.values[0] < -kMatrixRounding) return Eigen::MatrixXd(A.rows(), 0);
+  return all.vectors.leftCols((all.values.array() < kMatrixRounding).count());
 }
 
 /// The largest components of a direction, the largest of them 1: "coordinate 0: 1, coordinate 3: -0.5".
@@ -102,29 +100,27 @@ NoPeriodicMotion unbalanced(const Eigen::MatrixXd& motions, const Eigen::VectorX
 
 /// Coordinates of parts, joined by entries of M, D and K, of which none is a contact's.
 std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
-  std::vector<int> part(static_cast<std::size_t>(problem.size()));
-  std::iota(part.begin(), part.end(), 0);
-  const auto root = [&](int i) {
-    while (part[static_cast<std::size_t>(i)] != i) {
-      int& above = part[static_cast<std::size_t>(i)];
-      i = above = part[static_cast<std::size_t>(above)];  // halves the way of the next one
-    }
-    return i;
-  };
+  std::vector<std::vector<int>> joined(static_cast<std::size_t>(problem.size()));
   for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
     for (int outer = 0; outer < matrix->outerSize(); ++outer) {
       for (SparseMatrix::InnerIterator it(*matrix, outer); it; ++it) {
         if (it.value() == 0.0 || it.row() == it.col()) continue;
-        const int a = root(static_cast<int>(it.row())), b = root(static_cast<int>(it.col()));
-        part[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        joined[static_cast<std::size_t>(it.row())].push_back(static_cast<int>(it.col()));
+        joined[static_cast<std::size_t>(it.col())].push_back(static_cast<int>(it.row()));
       }
     }
   }
-  std::vector<bool> touched(part.size(), false), apart(part.size(), false);
+  std::vector<bool> apart(joined.size(), true);
+  std::vector<int> next;
   for (const Contact& contact : problem.contacts)
-    for (const auto& [dof, weight] : contact.normal) touched[static_cast<std::size_t>(root(dof))] = true;
-  for (int i = 0; i < problem.size(); ++i)
-    apart[static_cast<std::size_t>(i)] = !touched[static_cast<std::size_t>(root(i))];
+    for (const auto& [dof, weight] : contact.normal) next.push_back(dof);
+  while (!next.empty()) {
+    const auto i = static_cast<std::size_t>(next.back());
+    next.pop_back();
+    if (!apart[i]) continue;
+    apart[i] = false;
+    next.insert(next.end(), joined[i].begin(), joined[i].end());
+  }
   return apart;
 }
 
@@ -152,7 +148,7 @@ Eigen::MatrixXd rigid_motions(const Problem& problem) {
   if (R.cols() == 0) return none;
   if (!symmetric) {
     const double bound =
-        kNoSpring * largest_entry(K) * R.cwiseAbs().maxCoeff() * static_cast<double>(K.rows());
+        kMatrixRounding * largest_entry(K) * R.cwiseAbs().maxCoeff() * static_cast<double>(K.rows());
     if (!((K * R).cwiseAbs().maxCoeff() <= bound)) return none;
   }
   for (Eigen::Index k = 0; k < R.cols(); ++k) R.col(k) /= R.col(k).lpNorm<Eigen::Infinity>();

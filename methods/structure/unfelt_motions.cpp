@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/constants.hpp"
+#include "methods/structure/bases/modal_reduction.hpp"
 #include "methods/structure/rigid_motions.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/singular_values.hpp"
@@ -18,17 +20,14 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kUnfelt = 1e-12;  // of the largest entries that a product could have
-constexpr int kMostCoordinates = 400;
-
 /// Combinations of the columns of R that A takes to zero.
 MatrixXd null_combinations(const MatrixXd& R, const MatrixXd& A) {
   if (R.cols() == 0 || A.rows() == 0) return R;
   const MatrixXd image = A * R;
   const double scale = A.cwiseAbs().maxCoeff() * R.cwiseAbs().maxCoeff() * static_cast<double>(R.rows());
-  if (!(image.cwiseAbs().maxCoeff() > kUnfelt * scale)) return R;
+  if (!(image.cwiseAbs().maxCoeff() > kMatrixRounding * scale)) return R;
   const SingularValues found = singular_vectors(image);
-  const Index rank = (found.values.array() > kUnfelt * scale).count();
+  const Index rank = (found.values.array() > kMatrixRounding * scale).count();
   return R * found.V.rightCols(R.cols() - rank);
 }
 
@@ -46,18 +45,14 @@ bool is_pushed(const Problem& problem, const MatrixXd& R, const Chosen& chosen) 
     most = std::max(most, load.cwiseAbs().maxCoeff() * R.row(term.dof).cwiseAbs().maxCoeff());
   }
   return std::ranges::any_of(
-      works, [&](const auto& entry) { return entry.second.cwiseAbs().maxCoeff() > kUnfelt * most; });
+      works, [&](const auto& entry) { return entry.second.cwiseAbs().maxCoeff() > kMatrixRounding * most; });
 }
 
 /// Q of u = Q q: the unit matrix on the coordinates that are kept; on the others what makes B u = 0.
 MatrixXd expressed(const MatrixXd& B, const std::vector<Index>& left_out, const std::vector<Index>& kept) {
-  MatrixXd out(B.rows(), B.rows()), rest(B.rows(), static_cast<Index>(kept.size()));
-  for (Index k = 0; k < B.rows(); ++k) out.col(k) = B.col(left_out[static_cast<std::size_t>(k)]);
-  for (Index k = 0; k < rest.cols(); ++k) rest.col(k) = B.col(kept[static_cast<std::size_t>(k)]);
-  const MatrixXd by_rest = LuFactors(out).solve(rest);
-  MatrixXd Q = MatrixXd::Zero(B.cols(), rest.cols());
-  for (Index k = 0; k < rest.cols(); ++k) Q(kept[static_cast<std::size_t>(k)], k) = 1.0;
-  for (Index k = 0; k < B.rows(); ++k) Q.row(left_out[static_cast<std::size_t>(k)]) = -by_rest.row(k);
+  MatrixXd Q = MatrixXd::Zero(B.cols(), std::ssize(kept));
+  Q(kept, Eigen::all).setIdentity();
+  Q(left_out, Eigen::all) = -LuFactors(B(Eigen::all, left_out)).solve(MatrixXd(B(Eigen::all, kept)));
   return Q;
 }
 
@@ -78,7 +73,7 @@ void take_coordinates(const MatrixXd& Q, Problem& problem) {
   for (Contact& contact : problem.contacts) {
     Eigen::VectorXd normal = Eigen::VectorXd::Zero(Q.cols());
     for (const auto& [dof, weight] : contact.normal) normal += weight * Q.row(dof).transpose();
-    const double least = kUnfelt * normal.cwiseAbs().maxCoeff();
+    const double least = kMatrixRounding * normal.cwiseAbs().maxCoeff();
     contact.normal.clear();
     for (Index k = 0; k < normal.size(); ++k)
       if (std::abs(normal[k]) > least) contact.normal.emplace_back(static_cast<int>(k), normal[k]);
@@ -88,7 +83,7 @@ void take_coordinates(const MatrixXd& Q, Problem& problem) {
 }  // namespace
 
 std::optional<WithoutUnfeltMotions> without_unfelt_motions(const Problem& problem) {
-  if (problem.size() > kMostCoordinates || !problem.frame.empty() || problem.contacts.empty() ||
+  if (problem.size() > kMostModal || !problem.frame.empty() || problem.contacts.empty() ||
       follows_speed(problem))
     return std::nullopt;
   MatrixXd R = null_combinations(rigid_motions(problem), MatrixXd(contact_directions(problem).transpose()));
@@ -103,12 +98,10 @@ std::optional<WithoutUnfeltMotions> without_unfelt_motions(const Problem& proble
   for (Index i = 0; i < problem.size(); ++i)
     if (std::ranges::find(left_out, i) == left_out.end()) kept.push_back(i);
   const MatrixXd Q = expressed(B, left_out, kept);
+  const MatrixXd left = MatrixXd::Identity(problem.size(), problem.size()) - R * B;
   WithoutUnfeltMotions found{.problem = problem,
-                             .of = MatrixXd::Identity(problem.size(), problem.size()) - R * B};
-  found.driven = is_pushed(problem, R, [](int harmonic) { return harmonic > 0; });
-  MatrixXd of(Q.cols(), Q.rows());
-  for (Index k = 0; k < of.rows(); ++k) of.row(k) = found.of.row(kept[static_cast<std::size_t>(k)]);
-  found.of = std::move(of);
+                             .of = left(kept, Eigen::all),
+                             .driven = is_pushed(problem, R, [](int harmonic) { return harmonic > 0; })};
   const auto on_q = [&Q](const SparseMatrix& A) {
     return SparseMatrix(MatrixXd(Q.transpose() * MatrixXd(A * Q)).sparseView());
   };

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "methods/linear_flow/modes/weak_coupling.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/extended/eigenbasis.hpp"
 #include "methods/solvers/extended/symmetric_eigenpairs.hpp"
@@ -23,14 +22,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 constexpr long double kRounding = std::numeric_limits<long double>::epsilon();
-
-ComplexModes modes_of_size(Index count, Index n) {
-  return {.mu = Eigen::VectorXcd(count),
-          .weight = Eigen::VectorXd(count),
-          .shapes = Eigen::MatrixXcd(n, count),
-          .left = Eigen::MatrixXcd(count, 2 * n),
-          .of_load = Eigen::MatrixXcd(count, n)};
-}
 
 long double skew_part(const ExtendedMatrix& A) {
   long double sum = 0.0L;
@@ -134,7 +125,7 @@ std::optional<ComplexModes> modes_of(const RealModes& real, const MassForm& form
   };
   Index count = 2 * n;
   for (std::size_t k = 0; k < real.squares.size(); ++k) count -= square_of_rate(k) > 0.0L ? 1 : 0;
-  ComplexModes modes = modes_of_size(count, n);
+  ComplexModes modes = ComplexModes::of_size(count, n);
   const ExtendedMatrix shapes = form.unit ? real.shapes : extended::product(form.q_of_z, real.shapes),
                        q_of_shapes = form.unit ? real.shapes : extended::product(form.L, real.shapes);
   Index place = 0;
@@ -170,44 +161,68 @@ std::optional<ComplexModes> modes_of(const RealModes& real, const MassForm& form
 }
 
 // Whether modes of z give back a state that is not one of them.
-bool complete(const Eigen::VectorXcd& mu, const Eigen::VectorXd& weight, const Eigen::MatrixXcd& shapes,
-              const Eigen::MatrixXcd& left, double rate) {
+bool complete(const ComplexModes& modes, double rate) {
   constexpr double kComplete = 1e-9;
-  const Index n = shapes.rows();
+  const Index n = modes.shapes.rows();
   Eigen::VectorXcd state(2 * n);
   for (Index i = 0; i < n; ++i) {
     state[i] = std::cos(1.0 + 2.0 * static_cast<double>(i));
     state[n + i] = rate * std::cos(2.0 + 3.0 * static_cast<double>(i));
   }
-  Eigen::VectorXcd amplitude = complex_image(left, state);
-  for (Index k = 0; k < mu.size(); ++k) amplitude[k] *= weight[k];
-  const Eigen::VectorXcd rates = mu.cwiseProduct(amplitude);
-  const Eigen::VectorXd z = complex_image(shapes, amplitude).real(), v = complex_image(shapes, rates).real();
+  Eigen::VectorXcd amplitude = complex_image(modes.left, state);
+  for (Index k = 0; k < modes.mu.size(); ++k) amplitude[k] *= modes.weight[k];
+  const Eigen::VectorXcd rates = modes.mu.cwiseProduct(amplitude);
+  const Eigen::VectorXd z = complex_image(modes.shapes, amplitude).real(),
+                        v = complex_image(modes.shapes, rates).real();
   return (z - state.head(n).real()).norm() <= kComplete * state.head(n).norm() &&
          (v - state.tail(n).real()).norm() <= kComplete * rates.norm();
 }
 
 std::optional<ComplexModes> weakly_coupled_modes(const RealModes& real, const MassForm& form, double rate) {
-  const Index n = form.size();
   if (!symmetric(form.stiffness) || !symmetric(form.damping)) return std::nullopt;
-  const std::optional<WeaklyCoupled> found = weakly_coupled(real, rate);
-  if (!found) return std::nullopt;
-  const Index count = found->mu.size();
-  ComplexModes modes = modes_of_size(count, n);
-  modes.mu = found->mu;
-  modes.weight = found->weight;
-  const Eigen::MatrixXcd &Y = found->shapes, &position = found->of_position, &velocity = found->of_velocity;
-  Eigen::MatrixXcd left(count, 2 * n);
-  left.leftCols(n) = position.transpose();
-  left.rightCols(n) = velocity.transpose();
-  if (!complete(modes.mu, modes.weight, Y, left, rate)) return std::nullopt;
+  std::optional<ComplexModes> modes = weakly_coupled(real, rate);
+  if (!modes || !complete(*modes, rate)) return std::nullopt;
+  const Index n = form.size();
   const Eigen::MatrixXd S = extended::rounded(extended::product(form.q_of_z, real.shapes)),
                         R = extended::rounded(extended::product(form.L, real.shapes));
-  modes.shapes = product_of_complex(S, Y);
-  modes.left.leftCols(n) = product_of_complex(R, position).transpose();
-  modes.left.rightCols(n) = product_of_complex(R, velocity).transpose();
-  modes.of_load = product_of_complex(S, velocity).transpose();
+  const Eigen::MatrixXcd position = modes->left.leftCols(n).transpose(),
+                         velocity = modes->left.rightCols(n).transpose();
+  modes->shapes = product_of_complex(S, modes->shapes);
+  modes->left.leftCols(n) = product_of_complex(R, position).transpose();
+  modes->left.rightCols(n) = product_of_complex(R, velocity).transpose();
+  modes->of_load = product_of_complex(S, velocity).transpose();
   return modes;
+}
+
+// Of 2 Nr modes those with Im mu >= 0. Rows of all but the shapes are theirs.
+ComplexModes upper_half(const Eigen::VectorXcd& mu, const Eigen::MatrixXcd& shapes,
+                        const Eigen::MatrixXcd& of_q, const Eigen::MatrixXcd& of_rate,
+                        const Eigen::MatrixXcd& of_load) {
+  std::vector<Index> kept;
+  for (Index k = 0; k < mu.size(); ++k)
+    if (mu[k].imag() >= 0.0) kept.push_back(k);
+  ComplexModes modes = ComplexModes::of_size(std::ssize(kept), shapes.rows());
+  modes.mu = mu(kept);
+  modes.shapes = shapes(Eigen::all, kept);
+  modes.left << of_q(kept, Eigen::all), of_rate(kept, Eigen::all);
+  modes.of_load = of_load(kept, Eigen::all);
+  for (Index k = 0; k < modes.mu.size(); ++k) modes.weight[k] = modes.mu[k].imag() > 0.0 ? 2.0 : 1.0;
+  return modes;
+}
+
+// Columns of right vectors, or of left ones, which are (row k - i row k+1) / 2 of a pair; zero where Im mu <
+// 0.
+Eigen::MatrixXcd unpacked(const extended::Eigenbasis& basis, const ExtendedMatrix& parts, bool left) {
+  Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(parts.rows(), parts.cols());
+  for (Index k = 0; k < parts.cols(); ++k) {
+    const long double imaginary = basis.imaginary[static_cast<std::size_t>(k)];
+    const bool pair = imaginary > 0.0L;
+    const long double re = left && pair ? 0.5L : 1.0L, im = left ? -re : re;
+    for (Index i = 0; i < parts.rows() && imaginary >= 0.0L; ++i)
+      result(i, k) = Complex(static_cast<double>(re * parts(i, k)),
+                             pair ? static_cast<double>(im * parts(i, k + 1)) : 0.0);
+  }
+  return result;
 }
 
 // Of any damping: the eigenvectors of B. Rows of V^-1 are the left vectors: amplitudes are V^-1 (e, z'), and
@@ -217,26 +232,22 @@ std::optional<ComplexModes> modes_in_long_double(const MassForm& form, const Ene
   const auto basis = extended::eigenbasis(energy.B);
   if (!basis) return std::nullopt;
   const Index n = form.size();
+  Eigen::VectorXcd mu(2 * n);
   // Column k of the vectors and row k of the inverse, of half the coordinates and in others.
   ExtendedMatrix positions(n, 2 * n), of_e(n, 2 * n), of_rate(n, 2 * n);
   for (Index k = 0; k < 2 * n; ++k) {
+    mu[k] = Complex(static_cast<double>(basis->real[static_cast<std::size_t>(k)]),
+                    static_cast<double>(basis->imaginary[static_cast<std::size_t>(k)]));
     for (Index i = 0; i < n; ++i) {
       positions(i, k) = basis->vectors(i, k);
       of_e(i, k) = basis->inverse(k, i);
       of_rate(i, k) = basis->inverse(k, n + i);
     }
   }
-  const ExtendedMatrix shapes = extended::product(extended::product(form.q_of_z, energy.z_of_e), positions);
-  const ExtendedMatrix left_of_q = extended::product(extended::product(form.L, energy.E), of_e);
-  const ExtendedMatrix left_of_rate = extended::product(form.L, of_rate),
-                       of_load = extended::product(form.q_of_z, of_rate);
-  const auto imaginary = [&](Index k) { return basis->imaginary[static_cast<std::size_t>(k)]; };
-  Index count = 0;
   for (Index k = 0; k < 2 * n; ++k) {
-    if (imaginary(k) < 0.0L) continue;
-    ++count;
+    if (mu[k].imag() < 0.0) continue;
     long double right = 0.0L, left = 0.0L;
-    const Index places = imaginary(k) > 0.0L ? 2 : 1;
+    const Index places = mu[k].imag() > 0.0 ? 2 : 1;
     for (Index place = k; place < k + places; ++place) {
       for (Index i = 0; i < 2 * n; ++i) {
         right += basis->vectors(i, place) * basis->vectors(i, place);
@@ -246,82 +257,34 @@ std::optional<ComplexModes> modes_in_long_double(const MassForm& form, const Ene
     const long double condition = std::sqrt(right * left) / static_cast<long double>(places);
     if (!(condition < most_cancelled(n))) return std::nullopt;
   }
-  ComplexModes modes = modes_of_size(count, n);
-  for (Index k = 0, place = 0; place < count; ++k) {
-    if (imaginary(k) < 0.0L) continue;
-    const bool pair = imaginary(k) > 0.0L;
-    const auto joined = [&](const ExtendedMatrix& parts, Index i, long double re, long double im) {
-      return Complex(static_cast<double>(re * parts(i, k)),
-                     pair ? static_cast<double>(im * parts(i, k + 1)) : 0.0);
-    };
-    // Of a pair the left vector is (row k - i row k+1) / 2.
-    const long double half = pair ? 0.5L : 1.0L;
-    modes.mu[place] = Complex(static_cast<double>(basis->real[static_cast<std::size_t>(k)]),
-                              static_cast<double>(imaginary(k)));
-    modes.weight[place] = modes.mu[place].imag() > 0.0 ? 2.0 : 1.0;
-    for (Index i = 0; i < n; ++i) {
-      modes.shapes(i, place) = joined(shapes, i, 1.0L, 1.0L);
-      modes.left(place, i) = joined(left_of_q, i, half, -half);
-      modes.left(place, n + i) = joined(left_of_rate, i, half, -half);
-      modes.of_load(place, i) = joined(of_load, i, half, -half);
-    }
-    ++place;
-  }
-  return modes;
+  const auto left = [&](const ExtendedMatrix& A, const ExtendedMatrix& parts) {
+    return Eigen::MatrixXcd(unpacked(*basis, extended::product(A, parts), true).transpose());
+  };
+  const ExtendedMatrix shapes = extended::product(extended::product(form.q_of_z, energy.z_of_e), positions);
+  return upper_half(mu, unpacked(*basis, shapes, false), left(extended::product(form.L, energy.E), of_e),
+                    left(form.L, of_rate), left(form.q_of_z, of_rate));
 }
 
 Eigen::MatrixXcd product_of(const Eigen::MatrixXcd& A, const Eigen::MatrixXcd& B) { return A * B; }
 
-Eigen::MatrixXcd in_complex(const ExtendedMatrix& A) {
-  Eigen::MatrixXcd result(A.rows(), A.cols());
-  for (Index i = 0; i < A.size(); ++i) result.data()[i] = static_cast<double>(A.data()[i]);
-  return result;
-}
+Eigen::MatrixXcd in_complex(const ExtendedMatrix& A) { return extended::rounded(A).cast<Complex>(); }
 
 std::optional<ComplexModes> modes_in_double(const MassForm& form, const EnergyForm& energy) {
   const GeneralEigen pairs = general_eigen(extended::rounded(energy.B));
   if (!pairs.converged) return std::nullopt;
   const Index n = form.size();
   const Eigen::MatrixXcd &V = pairs.vectors, inverse = signorini::inverse(V);
-  const Eigen::MatrixXcd of_z = inverse.rightCols(n);
-  const Eigen::MatrixXcd shapes =
-      product_of(in_complex(extended::product(form.q_of_z, energy.z_of_e)), V.topRows(n));
-  const Eigen::MatrixXcd of_q =
-      product_of(inverse.leftCols(n), in_complex(extended::transposed(extended::product(form.L, energy.E))));
-  const Eigen::MatrixXcd of_rate = product_of(of_z, in_complex(extended::transposed(form.L)));
-  const Eigen::MatrixXcd of_load = product_of(of_z, in_complex(extended::transposed(form.q_of_z)));
-  std::vector<Index> kept;
-  for (Index k = 0; k < 2 * n; ++k) {
-    const double condition = V.col(k).norm() * inverse.row(k).norm();
-    if (!(condition < most_cancelled(n))) return std::nullopt;
-    if (pairs.values[k].imag() >= 0.0) kept.push_back(k);
-  }
-  ComplexModes modes = modes_of_size(static_cast<Index>(kept.size()), n);
-  for (Index place = 0; place < modes.mu.size(); ++place) {
-    const Index k = kept[static_cast<std::size_t>(place)];
-    modes.mu[place] = pairs.values[k];
-    modes.weight[place] = modes.mu[place].imag() > 0.0 ? 2.0 : 1.0;
-    for (Index i = 0; i < n; ++i) {
-      modes.shapes(i, place) = shapes(i, k);
-      modes.left(place, i) = of_q(k, i);
-      modes.left(place, n + i) = of_rate(k, i);
-      modes.of_load(place, i) = of_load(k, i);
-    }
-  }
-  return modes;
+  for (Index k = 0; k < 2 * n; ++k)
+    if (!(V.col(k).norm() * inverse.row(k).norm() < most_cancelled(n))) return std::nullopt;
+  const Eigen::MatrixXcd of_e = inverse.leftCols(n), of_z = inverse.rightCols(n);
+  return upper_half(pairs.values,
+                    product_of(in_complex(extended::product(form.q_of_z, energy.z_of_e)), V.topRows(n)),
+                    product_of(of_e, in_complex(extended::transposed(extended::product(form.L, energy.E)))),
+                    product_of(of_z, in_complex(extended::transposed(form.L))),
+                    product_of(of_z, in_complex(extended::transposed(form.q_of_z))));
 }
 
 }  // namespace
-
-Eigen::VectorXcd ComplexModes::forced(const Eigen::VectorXcd& load, double rate) const {
-  // Each mode of a pair answers by itself: q = sum_k U_k (of_load_k f) / (i rate - mu_k), conjugates
-  // included.
-  const Complex i_rate(0.0, rate);
-  const Eigen::VectorXcd direct = (of_load * load).array() / (i_rate - mu.array());
-  const Eigen::VectorXcd mirrored =
-      (weight.array() - 1.0) * (of_load.conjugate() * load).array() / (i_rate - mu.array().conjugate());
-  return shapes * direct + shapes.conjugate() * mirrored;
-}
 
 std::optional<ComplexModes> complex_modes(const MassForm& form, double rate) {
   const bool small = form.size() <= kLongDouble;

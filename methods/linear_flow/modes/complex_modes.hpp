@@ -1,28 +1,12 @@
 #pragma once
 // The free motions of a damped structure as a sum of exponentials.
 
-#include <Eigen/Core>
 #include <optional>
 
 #include "methods/linear_flow/modes/energy_form.hpp"
+#include "methods/linear_flow/modes/weak_coupling.hpp"
 
 namespace signorini {
-
-/// The motions of a damped structure M q'' + D q' + K q = f, damping proportional or not:
-///
-///     q(t) = Re sum_k w_k shapes_k a_k(t),   a_k' = mu_k a_k + of_load_k f,   a(0) = left (q(0), q'(0)),
-///
-/// Im mu_k >= 0; w_k = 2 for a pair, 1 for a real mu_k.
-struct ComplexModes {
-  Eigen::VectorXcd mu;       ///< Nm [rad/s]
-  Eigen::VectorXd weight;    ///< w_k, Nm
-  Eigen::MatrixXcd shapes;   ///< Nr x Nm
-  Eigen::MatrixXcd left;     ///< Nm x 2 Nr
-  Eigen::MatrixXcd of_load;  ///< Nm x Nr
-
-  /// Complex amplitude P of q = P e^{i rate t} under the load f e^{i rate t}, Nr; rate is no eigenvalue.
-  [[nodiscard]] Eigen::VectorXcd forced(const Eigen::VectorXcd& load, double rate) const;
-};
 
 /// The modes. Where damping couples no undamped modes, each of these is an oscillator by itself, in closed
 /// form: K~ phi_k = l_k phi_k, mu^2 + d_k mu + l_k = 0, d_k = phi_k^T D~ phi_k. So they are taken where the

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
+
+#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
 bool evenly_spaced(const std::vector<double>& rates) {
-  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
   for (std::size_t h = 0; h < rates.size(); ++h) {
     const double even = static_cast<double>(h) * (rates.size() > 1 ? rates[1] : 0.0);
-    if (!(std::abs(rates[h] - even) <= kRounding * even)) return false;
+    if (!(std::abs(rates[h] - even) <= 4.0 * kEpsilon * even)) return false;
   }
   return true;
 }

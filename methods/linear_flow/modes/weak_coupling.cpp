@@ -8,6 +8,24 @@
 
 namespace signorini {
 
+ComplexModes ComplexModes::of_size(Eigen::Index modes, Eigen::Index coordinates) {
+  return {.mu = Eigen::VectorXcd(modes),
+          .weight = Eigen::VectorXd(modes),
+          .shapes = Eigen::MatrixXcd(coordinates, modes),
+          .left = Eigen::MatrixXcd(modes, 2 * coordinates),
+          .of_load = Eigen::MatrixXcd(modes, coordinates)};
+}
+
+Eigen::VectorXcd ComplexModes::forced(const Eigen::VectorXcd& load, double rate) const {
+  // Each mode of a pair answers by itself: q = sum_k U_k (of_load_k f) / (i rate - mu_k), conjugates
+  // included.
+  const std::complex<double> i_rate(0.0, rate);
+  const Eigen::VectorXcd direct = (of_load * load).array() / (i_rate - mu.array());
+  const Eigen::VectorXcd mirrored =
+      (weight.array() - 1.0) * (of_load.conjugate() * load).array() / (i_rate - mu.array().conjugate());
+  return shapes * direct + shapes.conjugate() * mirrored;
+}
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -16,10 +34,15 @@ using Eigen::Index;
 class WeakCoupling {
  public:
   WeakCoupling(const RealModes& real, double rate)
-      : real_(real), size_(real.shapes.rows()), C_(extended::rounded(real.coupling)), shift_(rate * rate) {
+      : real_(real),
+        size_(real.shapes.rows()),
+        C_(extended::rounded(real.coupling)),
+        shift_(rate * rate),
+        d_(size_),
+        l_(size_) {
     for (Index k = 0; k < size_; ++k) {
-      d_.push_back(static_cast<double>(damping(k)));
-      l_.push_back(static_cast<double>(square(k)));
+      d_[k] = static_cast<double>(damping(k));
+      l_[k] = static_cast<double>(square(k));
     }
   }
 
@@ -29,15 +52,14 @@ class WeakCoupling {
     constexpr double kStill = 2e-16, kWeak = 0.25;
     y_ = Eigen::VectorXcd::Zero(size_);
     y_[k] = 1.0;
-    mu = root(k, 0.0, larger);
+    mu_ = root(k, 0.0, larger);
     for (int i = 0; i < kMost; ++i) {
       const Eigen::VectorXcd pushed = product_by_real_matrix(C_, y_);
-      mu = root(k, pushed[k], larger);
+      mu_ = root(k, pushed[k], larger);
       double change = 0.0, most = 0.0;
       for (Index j = 0; j < size_; ++j) {
         if (j == k) continue;
-        const auto at = static_cast<std::size_t>(j);
-        const Complex next = -mu * pushed[j] / (mu * mu + d_[at] * mu + l_[at]);
+        const Complex next = -mu_ * pushed[j] / (mu_ * mu_ + d_[j] * mu_ + l_[j]);
         change = std::max(change, std::abs(next - y_[j]));
         most = std::max(most, std::abs(next));
         y_[j] = next;
@@ -48,13 +70,17 @@ class WeakCoupling {
     return false;
   }
 
-  // What was found: of z = sum_k phi_k y_k and of a = (of_position z + of_velocity z').
-  [[nodiscard]] const Eigen::VectorXcd& shape() const { return y_; }
-  [[nodiscard]] const Eigen::VectorXcd& of_position() const { return position_; }
-  [[nodiscard]] const Eigen::VectorXcd& of_velocity() const { return velocity_; }
+  // What was found. False where it is no pair, or one, against is_pair.
+  [[nodiscard]] bool write(Index k, Index place, ComplexModes& modes) const {
+    if (is_pair(k) != (mu_.imag() > 0.0)) return false;
+    modes.mu[place] = mu_;
+    modes.weight[place] = is_pair(k) ? 2.0 : 1.0;
+    modes.shapes.col(place) = y_;
+    modes.left.row(place) << position_.transpose(), velocity_.transpose();
+    modes.of_load.row(place) = velocity_.transpose();
+    return true;
+  }
   [[nodiscard]] bool is_pair(Index k) const { return square(k) - 0.25L * damping(k) * damping(k) > 0.0L; }
-
-  Complex mu;
 
  private:
   [[nodiscard]] long double square(Index k) const { return real_.squares[static_cast<std::size_t>(k)]; }
@@ -85,11 +111,10 @@ class WeakCoupling {
     Complex theta = 0.0;
     double right = 0.0, left = 0.0;
     for (Index j = 0; j < size_; ++j) {
-      const auto at = static_cast<std::size_t>(j);
-      position_[j] = (mu + d_[at]) * y_[j] + pushed[j];
-      theta += y_[j] * (position_[j] + mu * y_[j]);
-      const double energy = l_[at] + shift_;
-      right += (energy + std::norm(mu)) * std::norm(y_[j]);
+      position_[j] = (mu_ + d_[j]) * y_[j] + pushed[j];
+      theta += y_[j] * (position_[j] + mu_ * y_[j]);
+      const double energy = l_[j] + shift_;
+      right += (energy + std::norm(mu_)) * std::norm(y_[j]);
       left += std::norm(position_[j]) / energy + std::norm(y_[j]);
     }
     position_ /= theta;
@@ -101,8 +126,9 @@ class WeakCoupling {
   Index size_;
   Eigen::MatrixXd C_;
   double shift_;  // s^2
-  std::vector<double> d_, l_;
-  Eigen::VectorXcd y_, position_, velocity_;
+  Eigen::VectorXd d_, l_;
+  Complex mu_;
+  Eigen::VectorXcd y_, position_, velocity_;  // of z = sum_k phi_k y_k and of a = position z + velocity z'
 };
 
 }  // namespace
@@ -114,26 +140,16 @@ double most_cancelled(Index coordinates) {
   return coordinates > kLongDouble ? kIllConditionedOfMany : kIllConditioned;
 }
 
-std::optional<WeaklyCoupled> weakly_coupled(const RealModes& real, double rate) {
+std::optional<ComplexModes> weakly_coupled(const RealModes& real, double rate) {
   const Index n = real.shapes.rows();
   WeakCoupling coupling(real, rate);
   Index count = 0;
   for (Index k = 0; k < n; ++k) count += coupling.is_pair(k) ? 1 : 2;
-  WeaklyCoupled modes{.mu = Eigen::VectorXcd(count),
-                      .weight = Eigen::VectorXd(count),
-                      .shapes = Eigen::MatrixXcd(n, count),
-                      .of_position = Eigen::MatrixXcd(n, count),
-                      .of_velocity = Eigen::MatrixXcd(n, count)};
+  ComplexModes modes = ComplexModes::of_size(count, n);
   Index place = 0;
   for (Index k = 0; k < n; ++k) {
-    const bool pair = coupling.is_pair(k);
-    for (int part = 0; part < (pair ? 1 : 2); ++part, ++place) {
-      if (!coupling.find(k, part == 0) || pair != (coupling.mu.imag() > 0.0)) return std::nullopt;
-      modes.mu[place] = coupling.mu;
-      modes.weight[place] = pair ? 2.0 : 1.0;
-      modes.shapes.col(place) = coupling.shape();
-      modes.of_position.col(place) = coupling.of_position();
-      modes.of_velocity.col(place) = coupling.of_velocity();
+    for (int part = 0; part < (coupling.is_pair(k) ? 1 : 2); ++part) {
+      if (!coupling.find(k, part == 0) || !coupling.write(k, place++, modes)) return std::nullopt;
     }
   }
   return modes;

@@ -24,6 +24,18 @@ constexpr double kInvariant = 1e-26;
 
 Eigen::MatrixXd symmetrised(const Eigen::MatrixXd& A) { return 0.5 * (A + A.transpose()); }
 
+// V^T A V for symmetric A.
+Eigen::MatrixXd gram_in(const SparseMatrix& A, const Eigen::MatrixXd& V) {
+  return symmetrised(transposed_product(V, product_by_rows(A, V)));
+}
+
+// [A, B].
+Eigen::MatrixXd beside(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  Eigen::MatrixXd both(A.rows(), A.cols() + B.cols());
+  both << A, B;
+  return both;
+}
+
 }  // namespace
 
 BlockLanczos::BlockLanczos(const SparseMatrix& P, const SparseMatrix& M, const SparseMatrix& B,
@@ -74,8 +86,7 @@ BlockLanczos::Remainder BlockLanczos::orthonormalise(const Eigen::MatrixXd& colu
                  .coefficients = Eigen::MatrixXd(dropped, count),
                  .lengths = Eigen::VectorXd(dropped)};
   if (dropped == 0) return rest;
-  const SymmetricEigen own =
-      symmetric_eigen(symmetrised(transposed_product(rest.vectors, product_by_rows(P_, rest.vectors))));
+  const SymmetricEigen own = symmetric_eigen(gram_in(P_, rest.vectors));
   rest.lengths = own.values.cwiseMax(0.0).cwiseSqrt();  // rising
   rest.coefficients = product_by_transposed(own.vectors.transpose(), directions.vectors.leftCols(dropped)) *
                       length.asDiagonal();
@@ -103,6 +114,11 @@ void BlockLanczos::polish_next(const Eigen::MatrixXd& waiting) {
   coupling_ = factor.upper_times(coupling_);
 }
 
+void BlockLanczos::subtract_basis(const Eigen::MatrixXd& dual, Eigen::MatrixXd& columns) const {
+  for (const Eigen::MatrixXd& block : basis_)
+    subtract_product(block, transposed_product(block, dual), columns);
+}
+
 void BlockLanczos::grow() {
   if (exhausted()) return;
   const Eigen::MatrixXd newest = std::move(next_);
@@ -119,8 +135,7 @@ void BlockLanczos::take_in(const Eigen::MatrixXd& block) {
     const Eigen::MatrixXd &before = basis_[basis_.size() - 2], &last = basis_.back();
     const Eigen::Index width = before.cols() + last.cols();
     if (before.cols() > last.cols() || width > kGroup) return;
-    Eigen::MatrixXd both(P_.rows(), width);
-    both << before, last;
+    Eigen::MatrixXd both = beside(before, last);
     basis_.pop_back();
     basis_.back().swap(both);
   }
@@ -147,8 +162,8 @@ Eigen::MatrixXd BlockLanczos::extend(const Eigen::MatrixXd& newest, const Eigen:
   }
   const Eigen::MatrixXd in_waiting = transposed_product(waiting, momentum);
   subtract_product(waiting, in_waiting, columns);
-  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product_by_rows(P_, columns)));
-  left_out_.push_back(orthonormalise(columns, gram, Eigen::VectorXd::Constant(width, before), waiting));
+  left_out_.push_back(
+      orthonormalise(columns, gram_in(P_, columns), Eigen::VectorXd::Constant(width, before), waiting));
   return in_waiting;
 }
 
@@ -164,12 +179,10 @@ void BlockLanczos::grow_along(const Eigen::MatrixXd& directions) {
   next_.resize(0, 0);
   rest.rightCols(taken) = extend(newest, waiting);
   const Eigen::Index led = next_.cols();
-  Eigen::MatrixXd both(P_.rows(), waits + led);
-  both << waiting, next_;
+  next_ = beside(waiting, next_);
   Eigen::MatrixXd coupling = Eigen::MatrixXd::Zero(waits + led, size_);
   coupling.topRows(waits) = rest;
   coupling.bottomRightCorner(led, taken) = coupling_;
-  next_.swap(both);
   coupling_.swap(coupling);
 }
 
@@ -178,21 +191,18 @@ void BlockLanczos::offer(Eigen::MatrixXd columns) {
   const Eigen::MatrixXd dual = product_by_rows(P_, columns);
   const Eigen::VectorXd length =
       columns.cwiseProduct(dual).colwise().sum().transpose().cwiseMax(0.0).cwiseSqrt();
-  for (const Eigen::MatrixXd& block : basis_)
-    subtract_product(block, transposed_product(block, dual), columns);
+  subtract_basis(dual, columns);
   subtract_product(waiting, transposed_product(waiting, dual), columns);
-  Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product_by_rows(P_, columns)));
+  Eigen::MatrixXd gram = gram_in(P_, columns);
   // What is left of a column may be its rounding.
   const Eigen::VectorXd known =
       (gram.diagonal().array() > kRounding * length.array().square()).cast<double>();
   columns = columns * known.asDiagonal();
   gram = known.asDiagonal() * gram * known.asDiagonal();
   orthonormalise(columns, gram, length, waiting);
-  Eigen::MatrixXd both(P_.rows(), waiting.cols() + next_.cols());
-  both << waiting, next_;
-  coupling_ = Eigen::MatrixXd::Zero(both.cols(), coupling.cols());
+  next_ = beside(waiting, next_);
+  coupling_ = Eigen::MatrixXd::Zero(next_.cols(), coupling.cols());
   coupling_.topRows(waiting.cols()) = coupling;
-  next_.swap(both);
 }
 
 Eigen::MatrixXd BlockLanczos::projected_mass() const {
@@ -212,33 +222,30 @@ Eigen::MatrixXd BlockLanczos::projected_start() const {
   return start;
 }
 
-template <class Visit>
-void BlockLanczos::for_each_group(Eigen::Index first, Visit visit) const {
+template <class OfGroup>
+Eigen::MatrixXd BlockLanczos::stacked(Eigen::Index first, Eigen::Index columns, OfGroup of_group) const {
+  Eigen::MatrixXd rows(size_ - first, columns);
   Eigen::Index at = 0;
   for (const Eigen::MatrixXd& group : basis_) {
     const Eigen::Index known = std::clamp<Eigen::Index>(first - at, 0, group.cols());
     if (known == 0)
-      visit(group, at - first);
+      rows.middleRows(at - first, group.cols()) = of_group(group);
     else if (known < group.cols())
-      visit(Eigen::MatrixXd(group.rightCols(group.cols() - known)), 0);
+      rows.topRows(group.cols() - known) = of_group(Eigen::MatrixXd(group.rightCols(group.cols() - known)));
     at += group.cols();
   }
+  return rows;
 }
 
 Eigen::MatrixXd BlockLanczos::projected(const SparseMatrix& A, Eigen::Index first) const {
-  Eigen::MatrixXd rows(size_ - first, A.cols());
-  for_each_group(first, [&](const Eigen::MatrixXd& group, Eigen::Index row) {
-    rows.middleRows(row, group.cols()) = sparse_product_of_transposed(A, group).transpose();
+  return stacked(first, A.cols(), [&A](const Eigen::MatrixXd& group) {
+    return Eigen::MatrixXd(sparse_product_of_transposed(A, group).transpose());
   });
-  return rows;
 }
 
 Eigen::MatrixXd BlockLanczos::projected(const Eigen::MatrixXd& A, Eigen::Index first) const {
-  Eigen::MatrixXd rows(size_ - first, A.cols());
-  for_each_group(first, [&](const Eigen::MatrixXd& group, Eigen::Index row) {
-    rows.middleRows(row, group.cols()) = transposed_product(group, A);
-  });
-  return rows;
+  return stacked(first, A.cols(),
+                 [&A](const Eigen::MatrixXd& group) { return transposed_product(group, A); });
 }
 
 Eigen::MatrixXd BlockLanczos::projected_on_next(const SparseMatrix& A) const {
@@ -281,7 +288,7 @@ Eigen::MatrixXd BlockLanczos::left_out() const {
   double parts = 0.0;
   for (const Remainder& part : left_out_) {
     rows += part.lengths.size();
-    if (part.lengths.size() > 0) parts += 1.0;
+    parts += part.lengths.size() > 0 ? 1.0 : 0.0;
   }
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, size_);
   Eigen::Index row = 0, column = 0;
@@ -310,11 +317,8 @@ void BlockLanczos::grow_by_left_out() {
   }
   // Of unit length now, and what rounding has put into them of the basis is taken out before they are
   // compared.
-  const Eigen::MatrixXd dual = product_by_rows(P_, columns);
-  for (const Eigen::MatrixXd& block : basis_)
-    subtract_product(block, transposed_product(block, dual), columns);
-  const Eigen::MatrixXd gram = symmetrised(transposed_product(columns, product_by_rows(P_, columns)));
-  orthonormalise(columns, gram, Eigen::VectorXd::Ones(width),
+  subtract_basis(product_by_rows(P_, columns), columns);
+  orthonormalise(columns, gram_in(P_, columns), Eigen::VectorXd::Ones(width),
                  Eigen::MatrixXd(P_.rows(), 0));  // leaves out 1e-7 of what was left out
   grow();
 }
@@ -332,9 +336,8 @@ double BlockLanczos::operations_of_growth(bool with_left_out) const {
 }
 
 double BlockLanczos::bytes() const {
-  Eigen::Index vectors = size_ + next_.cols();
-  for (const Remainder& part : left_out_) vectors += part.vectors.cols();
-  return 8.0 * (static_cast<double>(P_.rows()) * static_cast<double>(vectors) + factors_->entries());
+  const auto vectors = static_cast<double>(size_ + width_with_left_out());
+  return 8.0 * (static_cast<double>(P_.rows()) * vectors + factors_->entries());
 }
 
 RitzPairs ritz_pairs(const BlockLanczos& space) {

@@ -106,9 +106,11 @@ class BlockLanczos {
   // Takes `newest` into the basis and makes next_ of what P^{-1} M makes of it, P-orthogonal to the basis and
   // to `waiting`, P-orthonormal columns. Returns the coefficients in waiting.
   Eigen::MatrixXd extend(const Eigen::MatrixXd& newest, const Eigen::MatrixXd& waiting);
-  // Calls visit(vectors, how many after `first` they begin) for all vectors from there on.
-  template <class Visit>
-  void for_each_group(Eigen::Index first, Visit visit) const;
+  // columns -= V V^T dual.
+  void subtract_basis(const Eigen::MatrixXd& dual, Eigen::MatrixXd& columns) const;
+  // of_group(vectors), a row for each, of all vectors from `first` on.
+  template <class OfGroup>
+  [[nodiscard]] Eigen::MatrixXd stacked(Eigen::Index first, Eigen::Index columns, OfGroup of_group) const;
 
   const SparseMatrix& P_;
   const SparseMatrix& M_;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "methods/structure/bases/massless_elimination.hpp"
+#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/sparse/sparse_factors.hpp"
 #include "problems/matrix_properties.hpp"
 
@@ -51,7 +51,6 @@ std::optional<Eigen::VectorXd> relaxation_at(const Problem& problem, const Spars
 // it has none.
 Eigen::VectorXd relaxation_of_contacts(const MasslessElimination& seen, const Eigen::VectorXd& beta,
                                        std::string& obstacle) {
-  constexpr double kSame = 1e-12;
   Eigen::VectorXd result = Eigen::VectorXd::Zero(seen.normals.cols());
   const double most = beta.size() > 0 ? beta.maxCoeff() : 0.0;
   if (!(most > 0.0)) return result;
@@ -64,7 +63,7 @@ Eigen::VectorXd relaxation_of_contacts(const MasslessElimination& seen, const Ei
       least = std::min(least, beta[it.row()]);
       result[j] = std::max(result[j], beta[it.row()]);
     }
-    if (moves && least < (1.0 - kSame) * result[j])
+    if (moves && least < (1.0 - kMatrixRounding) * result[j])
       obstacle = fmt::format("contact {} is on coordinates without mass that relax in different times", j);
     if (moves && result[j] == 0.0)
       obstacle = fmt::format(
@@ -99,56 +98,47 @@ Softening softening(const SparseMatrix& K, const SparseMatrix& i, const SparseMa
           .damping = symmetric(SparseMatrix(K_bi.transpose() * relaxing))};
 }
 
-// Mass, damping and stiffness of the coordinates with mass and the relaxation times of the contacts on
-// others, or the obstacle.
-void condense_massless(const Problem& problem, const MasslessElimination& seen, CondensedStructure& result) {
-  const SparseMatrix i = coordinate_selection(seen.kept, problem.size());
-  const SparseMatrix b = coordinate_selection(seen.massless, problem.size());
-  if (!pulls_back(problem.stiffness(), b)) {
-    result.obstacle = "a circulatory force acts on coordinates without mass";
-    return;
-  }
+// Fills in mass, damping and stiffness of the coordinates with mass, beside others, and the relaxation times
+// of the contacts on those. Returns the obstacle.
+std::string condense_massless(const Problem& problem, CondensedStructure& result) {
+  const SparseMatrix i = coordinate_selection(result.kept, problem.size());
+  const SparseMatrix b = coordinate_selection(result.massless, problem.size());
+  if (!pulls_back(problem.stiffness(), b)) return "a circulatory force acts on coordinates without mass";
   const std::optional<Eigen::VectorXd> relaxation = relaxation_at(problem, b);
-  if (!relaxation) {
-    result.obstacle = "the damping of coordinates without mass is not proportional to their stiffness";
-    return;
-  }
-  result.obstacle = seen.obstacle;  // their stiffness is singular
-  if (!result.obstacle.empty()) return;
-  result.relaxation = relaxation_of_contacts(seen, *relaxation, result.obstacle);
-  if (!result.obstacle.empty()) return;
+  if (!relaxation) return "the damping of coordinates without mass is not proportional to their stiffness";
+  std::string obstacle = result.obstacle;  // their stiffness is singular
+  if (!obstacle.empty()) return obstacle;
+  result.relaxation = relaxation_of_contacts(result, *relaxation, obstacle);
+  if (!obstacle.empty()) return obstacle;
   const Softening softened = softening(problem.stiffness(), i, b, *relaxation);
   result.mass = i.transpose() * problem.mass() * i;
   result.damping = i.transpose() * problem.damping() * i;
   result.stiffness = SparseMatrix(i.transpose() * problem.stiffness() * i) - softened.stiffness;
   if (relaxation->maxCoeff() > 0.0) result.damping -= softened.damping;
+  return {};
+}
+
+CondensedStructure refused(std::string obstacle) {
+  CondensedStructure result;
+  result.obstacle = std::move(obstacle);
+  return result;
 }
 
 }  // namespace
 
 CondensedStructure condense(const Problem& problem, int most) {
+  if (problem.size() > most)
+    return refused(fmt::format("{} coordinates: at most {} are followed through time", problem.size(), most));
   CondensedStructure result;
-  if (problem.size() > most) {
-    result.obstacle =
-        fmt::format("{} coordinates: at most {} are followed through time", problem.size(), most);
-    return result;
+  static_cast<MasslessElimination&>(result) = eliminate_massless(problem);
+  if (!result.massless.empty()) {
+    std::string obstacle = condense_massless(problem, result);
+    return obstacle.empty() ? result : refused(std::move(obstacle));
   }
-  MasslessElimination seen = eliminate_massless(problem);
-  if (seen.massless.empty()) {
-    result.mass = problem.mass();
-    result.damping = problem.damping();
-    result.stiffness = problem.stiffness();
-    result.relaxation = Eigen::VectorXd::Zero(seen.normals.cols());
-  } else {
-    condense_massless(problem, seen, result);
-  }
-  if (!result.obstacle.empty()) return result;
-  result.kept = std::move(seen.kept);
-  result.normals = std::move(seen.normals);
-  result.massless_compliance = std::move(seen.compliance);
-  result.rates = std::move(seen.rates);
-  result.load = std::move(seen.load);
-  result.shift = std::move(seen.shift);
+  result.mass = problem.mass();
+  result.damping = problem.damping();
+  result.stiffness = problem.stiffness();
+  result.relaxation = Eigen::VectorXd::Zero(result.normals.cols());
   return result;
 }
 
@@ -166,6 +156,7 @@ CondensedStructure with_open_contacts(CondensedStructure all, const std::vector<
               .relaxation = all.relaxation(open)};
   all.acting = acting;
   all.normals = Eigen::MatrixXd(normals(Eigen::all, acting)).sparseView();
+  all.following = {};
   all.massless_compliance = all.massless_compliance(acting, acting).eval();
   all.shift = all.shift(acting, Eigen::all).eval();
   all.relaxation = all.relaxation(acting).eval();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/structure/bases/massless_elimination.hpp"
 #include "problems/problem.hpp"
 
 namespace signorini {
@@ -39,22 +40,15 @@ struct OpenContacts {
 /// is a Lipschitz function of (u_i, t). With beta > 0 the same is true of the speeds: lambda jumps where a
 /// contact closes, by -C_jj^-1 beta x'_-, and x is continuous. No impact law is needed in either case
 /// [khenous2008]. A scene without massless coordinates is left as it is: N = W, C = 0, s = 0, beta = 0.
-struct CondensedStructure {
-  std::string obstacle;                 ///< why this cannot be done, one clause; the rest is then empty
-  std::vector<int> kept;                ///< i, ascending: coordinates of the scene
-  SparseMatrix mass;                    ///< Nd x Nd, Nd = |i| [kg]
-  SparseMatrix damping;                 ///< Nd x Nd [N s/m]
-  SparseMatrix stiffness;               ///< Nd x Nd [N/m]
-  SparseMatrix normals;                 ///< N, Nd x Nc [-]
-  Eigen::MatrixXd massless_compliance;  ///< C, by which a force moves the contacts at once or, relaxing, in
-                                        ///< the end, Nc x Nc [m/N]
+///
+/// With an obstacle all else is empty.
+struct CondensedStructure : MasslessElimination {
+  SparseMatrix mass;       ///< Nd x Nd, Nd = |i| [kg]
+  SparseMatrix damping;    ///< Nd x Nd [N s/m]
+  SparseMatrix stiffness;  ///< Nd x Nd [N/m]
   /// beta of each contact, the time in which its xi relaxes to s + C lambda; 0 where it follows at once, or
   /// is none. Of contacts whose beta differ C is 0. Nc [s]
   Eigen::VectorXd relaxation = {};
-  /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
-  std::vector<double> rates;
-  Eigen::MatrixXcd load;   ///< of e^{i h omega t}, its real part to be taken; Nd x Nh [N]
-  Eigen::MatrixXcd shift;  ///< s likewise, Nc x Nh [m]
   /// The contacts of the scene that the Nc columns are of, ascending; empty: all of them, in order.
   std::vector<int> acting = {};
   OpenContacts open = {};  ///< the others

@@ -65,7 +65,7 @@ MasslessElimination eliminate_massless(const Problem& problem) {
     K_bi = K_b * i;
   }
   result.normals = result.massless.empty() ? W : SparseMatrix(i.transpose() * W);
-  result.compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
+  result.massless_compliance = Eigen::MatrixXd::Zero(problem.contact_count(), problem.contact_count());
   take_load(problem, result);
   result.shift = Eigen::MatrixXcd::Zero(problem.contact_count(), result.load.cols());
   if (result.massless.empty()) return result;
@@ -78,7 +78,7 @@ MasslessElimination eliminate_massless(const Problem& problem) {
   const Eigen::MatrixXd imag = stiffness.solve(Eigen::MatrixXd(loaded.imag()));
   const Eigen::MatrixXcd carried = real.cast<Complex>() + Complex(0.0, 1.0) * imag.cast<Complex>();
   result.normals -= SparseMatrix(K_bi.transpose() * moved);
-  result.compliance = Eigen::MatrixXd(W_b.transpose() * moved);
+  result.massless_compliance = Eigen::MatrixXd(W_b.transpose() * moved);
   result.shift = W_b.transpose().cast<Complex>() * carried;
   result.load =
       (i.transpose().cast<Complex>() * result.load - K_bi.transpose().cast<Complex>() * carried).eval();

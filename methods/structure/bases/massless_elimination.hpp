@@ -17,12 +17,13 @@ namespace signorini {
 /// are what the elimination of u_b makes of contact directions and load (`CondensedStructure` has the
 /// equations). A scene without massless coordinates is left as it is: N = W, C = 0, s = 0.
 struct MasslessElimination {
-  std::string obstacle;        ///< why this cannot be done, one clause; all but kept and massless is empty
-  std::vector<int> kept;       ///< i, ascending: coordinates of the scene
-  std::vector<int> massless;   ///< b, ascending
-  SparseMatrix normals;        ///< N, |i| x Nc [-]
-  SparseMatrix following;      ///< K_bb^-1 W_b, |b| x Nc [m/N]
-  Eigen::MatrixXd compliance;  ///< C, Nc x Nc [m/N]
+  std::string obstacle;       ///< why this cannot be done, one clause; all but kept and massless is empty
+  std::vector<int> kept;      ///< i, ascending: coordinates of the scene
+  std::vector<int> massless;  ///< b, ascending
+  SparseMatrix normals;       ///< N, |i| x Nc [-]
+  SparseMatrix following;     ///< K_bb^-1 W_b, |b| x Nc [m/N]
+  Eigen::MatrixXd massless_compliance;  ///< C, by which a force moves the contacts at once or, relaxing, in
+                                        ///< the end, Nc x Nc [m/N]
   /// h omega of the harmonics in the load, ascending, 0 always the first [rad/s].
   std::vector<double> rates;
   Eigen::MatrixXcd load;   ///< of e^{i h omega t}, its real part to be taken; |i| x Nh [N]

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "methods/structure/bases/condensation.hpp"
@@ -28,36 +27,32 @@ bool is_decoupled(const Eigen::MatrixXd& D) {
   return true;
 }
 
-ContactReduction refused(std::string_view obstacle) {
-  ContactReduction result;
-  result.obstacle = obstacle;
-  return result;
-}
-
 }  // namespace
 
 ContactReduction modal_reduction(const Problem& problem) {
   CondensedStructure whole = condense(problem, kMostModal);
-  if (!whole.obstacle.empty()) return refused(whole.obstacle);
-  if (whole.normals.cols() == 0 && whole.load.isZero(0.0)) return refused("nothing acts on the structure");
+  if (!whole.obstacle.empty()) return ContactReduction::refused(whole.obstacle);
+  if (whole.normals.cols() == 0 && whole.load.isZero(0.0))
+    return ContactReduction::refused("nothing acts on the structure");
   if (!is_symmetric(whole.damping) || !is_symmetric(whole.stiffness))
-    return refused("the matrices are not symmetric");
+    return ContactReduction::refused("the matrices are not symmetric");
   const Eigen::MatrixXd K(whole.stiffness), M(whole.mass);
-  if (!CholeskyFactors(K).definite()) return refused(kNotDefinite);
+  if (!CholeskyFactors(K).definite()) return ContactReduction::refused(kNotDefinite);
   const SymmetricEigen modes = generalised_eigen(M, K);
   const Eigen::VectorXd theta = modes.values.reverse();  // falling: the lowest mode first
   if (!modes.converged || !(theta.minCoeff() > 0.0))
-    return refused("the mass matrix is singular on the coordinates with mass");
+    return ContactReduction::refused("the mass matrix is singular on the coordinates with mass");
   // phi^T K phi = 1 in the solver's scale.
   const Eigen::MatrixXd phi =
       modes.vectors.rowwise().reverse() * theta.cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::MatrixXd D = phi.transpose() * (whole.damping * phi);
-  if (!is_decoupled(D)) return refused("the damping couples modes");
+  if (!is_decoupled(D)) return ContactReduction::refused("the damping couples modes");
   ContactReduction result;
   result.damping = D.diagonal().cwiseMax(0.0);
   if (whole.relaxation.size() > 0) result.relaxation = whole.relaxation.maxCoeff();
   for (const double beta : whole.relaxation)
-    if (beta > 0.0 && beta != result.relaxation) return refused("contacts relax in different times");
+    if (beta > 0.0 && beta != result.relaxation)
+      return ContactReduction::refused("contacts relax in different times");
   result.squares = theta.cwiseInverse();
   result.rows = (whole.normals.transpose() * phi).transpose();
   result.compliance = std::move(whole.massless_compliance);

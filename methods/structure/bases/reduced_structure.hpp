@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "problems/matrix_properties.hpp"
@@ -37,6 +38,12 @@ struct ContactReduction {
   Eigen::MatrixXcd shift;  ///< s_m likewise, Nc x Nh [m]
   bool complete = false;   ///< whether the vectors span all that contacts and loads can excite
 
+  /// None, for this reason.
+  static ContactReduction refused(std::string_view obstacle) {
+    ContactReduction result;
+    result.obstacle = obstacle;
+    return result;
+  }
   /// Takes d_k = alpha + beta omega_k^2 and beta from D = alpha M + beta K.
   void damp(const ProportionalDamping& by) {
     damping = (by.alpha + by.beta * squares.array()).matrix();

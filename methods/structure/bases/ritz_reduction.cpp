@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/dense_products.hpp"
 #include "problems/linear_algebra/products.hpp"
 #include "problems/linear_algebra/sparse/sparse_products.hpp"
@@ -108,6 +109,14 @@ SparseMatrix side_by_side(const SparseMatrix& A, const SparseMatrix& B) {
   return both;
 }
 
+Eigen::MatrixXd random_columns(Eigen::Index n, Eigen::Index k) {
+  std::mt19937 random(1);
+  const double range = static_cast<double>(std::mt19937::max()) + 1.0;
+  Eigen::MatrixXd columns(n, k);
+  for (double& entry : columns.reshaped()) entry = static_cast<double>(random()) / range - 0.5;
+  return columns;
+}
+
 SparseMatrix ContactColumns::all() const { return side_by_side(normals, pushes); }
 
 Eigen::MatrixXcd LoadColumns::coefficients(double base, int harmonics) const {
@@ -168,7 +177,7 @@ ContactColumns contact_columns(const Problem& problem) {
   const Eigen::Index contacts = problem.contact_count();
   result.normals = sparse_columns(columns, 0, contacts);
   result.pushes = sparse_columns(columns, contacts, columns.cols() - contacts);
-  result.compliance = std::move(seen.compliance);
+  result.compliance = std::move(seen.massless_compliance);
   if (!seen.massless.empty())
     result.following = sparse_product(coordinate_selection(seen.massless, problem.size()), seen.following);
   result.with_mass = std::ssize(seen.kept);
@@ -199,7 +208,6 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   pairs.vectors = Eigen::MatrixXd::Identity(count, count);
   // M x = theta K x, theta rising as in the pairs.
   const SymmetricEigen refined = generalised_eigen(M, K);
-  constexpr double kLeast = 4.0 * std::numeric_limits<double>::epsilon();
   if (!refined.converged) return 1.0;
   const Eigen::VectorXd wrong = (pairs.values.tail(lowest).cwiseQuotient(refined.values).array() - 1.0).abs();
   const Eigen::MatrixXd better = product(vectors, refined.vectors);
@@ -208,19 +216,19 @@ double refine_lowest(const Problem& problem, const BlockLanczos& space, const Co
   projection.contacts.bottomRows(lowest) = sparse_product_of_transposed(columns.normals, better).transpose();
   projection.loads.bottomRows(lowest) = sparse_product_of_transposed(columns.pushes, better).transpose();
   const double largest = wrong.maxCoeff();
-  return std::max({kLeast, wrong[0], largest * largest});
+  return std::max({4.0 * kEpsilon, wrong[0], largest * largest});
 }
 
 StaticCompliance::StaticCompliance(const Problem& problem, BlockLanczos& space, const ContactColumns& columns)
     : all_(columns.all()), contacts_(columns.normals.cols()) {
-  constexpr Eigen::Index kAtOnce = 32, kMost = 40;
+  constexpr Eigen::Index kMost = 40;
   const Eigen::Index lowest = std::min(kMost, space.size() / 2), count = all_.cols();
   const Eigen::MatrixXd Q = space.combined(ritz_pairs(space).vectors.rightCols(lowest));
   carried_ = product_by_rows(problem.stiffness(), Q);
   held_ = sparse_product_of_transposed(all_, Q).transpose();
   rest_.resize(count, count);
-  for (Eigen::Index first = 0; first < count; first += kAtOnce) {
-    const Eigen::Index taken = std::min(kAtOnce, count - first);
+  for (Eigen::Index first = 0; first < count; first += kMostSolvedAtOnce) {
+    const Eigen::Index taken = std::min<Eigen::Index>(kMostSolvedAtOnce, count - first);
     const Eigen::MatrixXd held = held_.middleCols(first, taken);
     const Eigen::MatrixXd moved =
         space.solve(Eigen::MatrixXd(sparse_columns(all_, first, taken)) - dense_product(carried_, held));

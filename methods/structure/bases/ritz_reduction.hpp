@@ -55,6 +55,14 @@ ContactColumns contact_columns(const Problem& problem);
 /// [A, B].
 SparseMatrix side_by_side(const SparseMatrix& A, const SparseMatrix& B);
 
+/// Right-hand sides solved for at a time: bounds what is kept beside the factors [-].
+inline constexpr int kMostSolvedAtOnce = 32;
+/// Columns in a block that factors solve for several times faster than one by one [-].
+inline constexpr Eigen::Index kSolvedTogether = 16;
+
+/// Uniform numbers between -1/2 and 1/2, the same at every call, n x k.
+Eigen::MatrixXd random_columns(Eigen::Index n, Eigen::Index k);
+
 /// The obstacle of a structure without a Cholesky factorisation.
 inline constexpr std::string_view kNotDefinite = "the stiffness is not positive definite";
 

@@ -72,7 +72,7 @@ std::vector<bool> only_admissible_set(const Eigen::MatrixXd& C, const Eigen::Vec
 TEST(CompliantEvents, PushingContactsAreTheAdmissibleSet) {
   const Problem problem = masses_with_massless_nodes();
   const ContactDynamics dynamics(problem);
-  const CompliantEvents events(dynamics, 1e-9);
+  const GivingEvents events(dynamics, 1e-9);
   std::mt19937 generator(3);
   std::normal_distribution<double> normal(0.0, 0.4);
   int with_contact = 0;
@@ -93,7 +93,7 @@ TEST(CompliantEvents, PushingContactsAreTheAdmissibleSet) {
 TEST(CompliantEvents, AContactAtItsStopIsDecidedByItsSpeed) {
   const Problem problem = test::penalty_oscillator(50.0);
   const ContactDynamics dynamics(problem);
-  const CompliantEvents events(dynamics, 1e-9);
+  const GivingEvents events(dynamics, 1e-9);
   for (const double speed : {1.0, -1.0}) {
     const State state{.u = Eigen::VectorXd::Constant(1, 0.2), .v = Eigen::VectorXd::Constant(1, speed)};
     EXPECT_EQ(events.place(0.0, state).closed, std::vector<bool>{speed > 0.0});
@@ -102,7 +102,7 @@ TEST(CompliantEvents, AContactAtItsStopIsDecidedByItsSpeed) {
 
 TEST(CompliantEvents, ResolvingLogsTheChangeAndNoImpulse) {
   const ContactDynamics dynamics(test::penalty_oscillator(50.0));
-  const CompliantEvents events(dynamics, 1e-9);
+  const GivingEvents events(dynamics, 1e-9);
   FlowState flow{.time = 0.4,
                  .state = {.u = Eigen::VectorXd::Constant(1, 0.2), .v = Eigen::VectorXd::Constant(1, 1.0)},
                  .closed = {false}};

@@ -26,16 +26,16 @@ TEST(CvodeSession, FollowsAnOscillatorAndInterpolatesItsStepsToTolerance) {
   CvodeSession session = oscillator(kTolerance);
   session.start(0.0, Eigen::Vector2d(1.0, 0.0), 10.0, 1.0);
   Vector y;
-  double worst = 0.0;
-  while (session.time() < 10.0) {
-    session.step();
+  double worst = 0.0, begin = 0.0, end = 0.0;
+  for (; end < 10.0; begin = end) {
+    end = session.step();
     for (int i = 0; i <= 4; ++i) {
-      const double time = session.previous_time() + (session.time() - session.previous_time()) * i / 4;
+      const double time = begin + (end - begin) * i / 4;
       session.interpolate(time, y);
       worst = std::max(worst, std::abs(y[0] - std::cos(time)));
     }
   }
-  EXPECT_DOUBLE_EQ(session.time(), 10.0);
+  EXPECT_DOUBLE_EQ(end, 10.0);
   EXPECT_LT(worst, kGlobal);
   EXPECT_GT(session.rhs_evaluations(), 10);
 }
@@ -45,7 +45,7 @@ TEST(CvodeSession, RestartsFromAnyState) {
   Vector y;
   for (int round = 0; round < 3; ++round) {
     session.start(2.0, Eigen::Vector2d(0.0, 1.0), 3.0, 1.0);
-    while (session.time() < 3.0) session.step();
+    while (session.step() < 3.0) continue;
     session.interpolate(3.0, y);
     EXPECT_NEAR(y[0], std::sin(1.0), kGlobal);
   }
@@ -65,7 +65,7 @@ TEST(CvodeSession, NeedsNoShortStepsOfBackwardDifferentiationWhereAFastMotionIsG
   for (const auto& [multistep, evaluations] : {std::pair{Multistep::adams, &adams}, {Multistep::bdf, &bdf}}) {
     CvodeSession session = relaxation(1e5, multistep);
     session.start(0.0, Vector::Ones(1), 3.0, 1.0);
-    while (session.time() < 3.0) session.step();
+    while (session.step() < 3.0) continue;
     Vector y;
     session.interpolate(3.0, y);
     EXPECT_NEAR(y[0], std::cos(3.0), 1e-7);

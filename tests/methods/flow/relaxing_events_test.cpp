@@ -61,7 +61,7 @@ State at_stops(const ContactDynamics& dynamics, double time, const Eigen::Vector
 TEST(RelaxingEvents, ContactsThatPushAreTheAdmissibleSet) {
   const ContactDynamics dynamics(test::damped_coupled_scene(1, 0.3));
   const FlowStructure& structure = dynamics.structure();
-  const RelaxingEvents events(dynamics, 1e-9);
+  const GivingEvents events(dynamics, 1e-9);
   std::mt19937 generator(4);
   std::uniform_real_distribution<double> draw(0.1, 1.0);
   for (unsigned trial = 0; trial < 200; ++trial) {
@@ -84,7 +84,7 @@ TEST(RelaxingEvents, PlacingMovesPenetratingContactsBackAndNoOthers) {
   const ContactDynamics pair(problem);
   State state = pair.at_rest();
   state.u << 0.0, 0.5, 0.2;  // u; xi
-  const FlowState placed = RelaxingEvents(pair, 1e-9).place(0.0, state);
+  const FlowState placed = GivingEvents(pair, 1e-9).place(0.0, state);
   EXPECT_NEAR(placed.state.u[1], 0.1, 1e-15);
   EXPECT_EQ(placed.state.u[2], 0.2);  // the nodes do not feel each other
   EXPECT_EQ(placed.state.u[0], 0.0);
@@ -121,7 +121,7 @@ TEST(RelaxingEvents, AClosingMayOpenAnotherContactAtTheSameInstant) {
   problem.contacts = {{.normal = {{2, 1.0}}, .gap = 0.1}, {.normal = {{3, 1.0}}, .gap = 0.1}};
   const ContactDynamics dynamics(problem);
   ASSERT_GT(dynamics.structure().massless_compliance(0, 1), 0.0);
-  const RelaxingEvents events(dynamics, 1e-9);
+  const GivingEvents events(dynamics, 1e-9);
   for (const double slow : {0.01, 0.9}) {
     FlowState flow{
         .time = 0.2, .state = at_stops(dynamics, 0.2, Eigen::Vector2d(slow, 1.0)), .closed = {true, false}};

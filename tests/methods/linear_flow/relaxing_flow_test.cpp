@@ -24,7 +24,7 @@ State admissible_state(const ContactDynamics& dynamics, const ContactMode& mode,
   State state = dynamics.at_rest();
   for (double& u : state.u) u = normal(generator);
   for (double& v : state.v) v = normal(generator);
-  RelaxingEvents(dynamics, 1e-12).hold(state, mode);
+  GivingEvents(dynamics, 1e-12).hold(state, mode);
   return state;
 }
 

@@ -30,7 +30,7 @@ ContactReduction all_modes(const Problem& problem) {
   all.rates = {0.0, problem.frequency};
   all.load = Eigen::MatrixXcd::Zero(count, 2);
   all.load.col(1) = (Phi.transpose() * f).cast<std::complex<double>>();
-  all.compliance = eliminate_massless(problem).compliance;
+  all.compliance = eliminate_massless(problem).massless_compliance;
   all.shift = Eigen::MatrixXcd::Zero(W.cols(), 2);
   return all;
 }

@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 
+#include "methods/reduction/principal_directions.hpp"
 #include "methods/structure/bases/ritz_reduction.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "methods/structure/receptance.hpp"
@@ -194,11 +195,12 @@ TEST(ContactSpace, GrowsForTheForcesOfAMotion) {
   const Eigen::MatrixXcd force = jumping_force(kHarmonics, contacts).leftCols(1) * shape;
   const Eigen::MatrixXcd exact = whole_response(block, force);
   const double wanted = 1e-7 * exact.norm();
-  const double before = space.bound_size(base, force);
+  const double before = root_mean_square(space.bound(base, force));
   ASSERT_GT(before, 10.0 * wanted);
   const ContactSpace grown = space.grown_for(base, {{.force = force, .tolerance = wanted}});
-  EXPECT_LE(grown.bound_size(base, force), wanted);
-  EXPECT_EQ(space.bound_size(base, force), before);  // the space that it grew from is what it was
+  EXPECT_LE(root_mean_square(grown.bound(base, force)), wanted);
+  EXPECT_EQ(root_mean_square(space.bound(base, force)),
+            before);  // the space that it grew from is what it was
   EXPECT_GT(grown.whole().vectors(), space.whole().vectors());
   const Eigen::MatrixXcd others = jumping_force(kHarmonics, contacts);
   const double rounding = std::max(1e-9, rounding_of_factors(block));
@@ -235,7 +237,7 @@ TEST(ContactSpace, BeginsWithCombinationsOfManyContacts) {
   const Eigen::MatrixXcd force = jumping_force(kHarmonics, contacts), exact = whole_response(block, force);
   const double wanted = 1e-6 * exact.norm();
   const ContactSpace grown = space.grown_for(base, {{.force = force, .tolerance = wanted}});
-  EXPECT_LE(grown.bound_size(base, force), wanted);
+  EXPECT_LE(root_mean_square(grown.bound(base, force)), wanted);
   const Eigen::VectorXd push = force.cwiseAbs().rowwise().sum();
   const Eigen::VectorXd turns = Eigen::VectorXd::LinSpaced(kHarmonics + 1, 0.0, kHarmonics);
   for (const ContactSpace* each : {&space, &grown}) {
