@@ -294,11 +294,10 @@ bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
 
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
   constexpr double kDecided = 1e-9, kOnCircle = 1e-8, kGrazing = 1e-9;
-  for (std::size_t i = 0; i < equations.orbit().events.size(); ++i) {
-    const SequenceEvent& event = equations.orbit().events[i];
+  for (Eigen::Index i = 0; i < equations.orbit().count(); ++i) {
+    const SequenceEvent& event = equations.orbit().event(i);
     if (event.kind != ContactEvent::Kind::open && equations.model().dynamics.halts(event.contact) &&
-        std::abs(equations.equations().crossings()[i].approach) <
-            kGrazing * equations.family().units().velocity)
+        std::abs(equations.speed(i)) < kGrazing)
       return OrbitStability::undefined;
   }
   if (multipliers.size() == 0) return OrbitStability::undefined;

@@ -93,12 +93,11 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
   double shortest = kBrief;
   Eigen::VectorXd along;
   for (Eigen::Index i = 1; i < orbit.count(); ++i) {
-    const auto later = static_cast<std::size_t>(i);
     const Eigen::Index row = orbit.states() + i;
     const double length = orbit.phase(i) - orbit.phase(i - 1);
     const double rate = here.tangent[row] - here.tangent[row - 1];
-    const int contact = orbit.events[later].contact;
-    const bool one = contact == orbit.events[later - 1].contact && !equations.model().dynamics.halts(contact);
+    const int contact = orbit.event(i).contact;
+    const bool one = contact == orbit.event(i - 1).contact && !equations.model().dynamics.halts(contact);
     if (!one || !(length < shortest) || !(-rate * kReach * refused > length)) continue;
     shortest = length;
     along = Eigen::VectorXd::Unit(here.x.size(), row - 1) - Eigen::VectorXd::Unit(here.x.size(), row);
@@ -113,10 +112,9 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
 // What the order of two impacts that come together changes beyond; else empty.
 std::string why_order_matters(const ExtendedEquations& equations, const OrbitGuard& guard) {
   if (guard.kind != GuardKind::interval) return {};
-  const std::vector<SequenceEvent>& events = equations.orbit().events;
-  const auto later = static_cast<std::size_t>(guard.index);
-  const SequenceEvent& before = events[(later + events.size() - 1) % events.size()];
-  switch (coupling_of(equations.model().dynamics.structure(), before, events[later])) {
+  const SequencedOrbit& orbit = equations.orbit();
+  const SequenceEvent& before = orbit.event((guard.index + orbit.count() - 1) % orbit.count());
+  switch (coupling_of(equations.model().dynamics.structure(), before, orbit.event(guard.index))) {
     case ImpactCoupling::mass:
       return fmt::format(": what follows {}", kDependsOnOrder);
     case ImpactCoupling::dampers:

@@ -25,6 +25,13 @@ bool contains(const std::vector<OrbitMark>& marks, const OrbitMark& mark, bool l
                      [&](const OrbitMark& other) { return mark.same(other, loosely); });
 }
 
+// Whether there is no such mark among those so far; it is one of them then.
+bool is_new(const OrbitMark& mark, std::vector<OrbitMark>& known, bool loosely = false) {
+  if (contains(known, mark, loosely)) return false;
+  known.push_back(mark);
+  return true;
+}
+
 // A branch ends where another one is to start.
 bool is_among(const std::vector<OrbitMark>& ends, const OrbitMark& mark, const CurveStart& start) {
   // The branch that was left ends at this very orbit, with its events the other way round.
@@ -186,21 +193,24 @@ class DiagramTracer {
           chatter_ends(equations).empty())
         continue;
       for (const SequencedOrbit& orbit : orbits_at(family_, branch, equations.parameter())) {
-        ExtendedEquations there(family_, orbit);
-        if (there.evaluate(orbit.x) && mark_of(there).same(mark)) return true;
+        const auto there = mark_at(orbit);
+        if (there && there->same(mark)) return true;
       }
     }
     return false;
   }
 
+  std::optional<OrbitMark> mark_at(const SequencedOrbit& orbit) {
+    ExtendedEquations equations(family_, orbit);
+    return equations.evaluate(orbit.x) ? std::optional(mark_of(equations)) : std::nullopt;
+  }
   // A branch that has been traced ends here, or began.
   bool is_an_end(const CurveStart& start) {
-    ExtendedEquations equations(family_, start.orbit);
-    return equations.evaluate(start.orbit.x) && is_among(ends_, mark_of(equations), start);
+    const auto mark = mark_at(start.orbit);
+    return mark && is_among(ends_, *mark, start);
   }
   void end_here(const SequencedOrbit& orbit) {
-    ExtendedEquations equations(family_, orbit);
-    if (equations.evaluate(orbit.x)) ends_.push_back(mark_of(equations));
+    if (auto mark = mark_at(orbit)) ends_.push_back(std::move(*mark));
   }
 
   void follow(const CurveStart& start) {
@@ -217,11 +227,8 @@ class DiagramTracer {
   }
 
   void double_period(const SequencedOrbit& orbit) {
-    ExtendedEquations equations(family_, orbit);
-    if (!equations.evaluate(orbit.x)) return;
-    const OrbitMark mark = mark_of(equations);
-    if (contains(doubled_, mark)) return;
-    doubled_.push_back(mark);
+    const auto mark = mark_at(orbit);
+    if (!mark || !is_new(*mark, doubled_)) return;
     if (2 * orbit.order > limits_.max_order) {
       ++too_long_;
       return;
@@ -240,27 +247,22 @@ class DiagramTracer {
     const OrbitMark end = mark_of(equations);
     ends_.push_back(end);
     if (is_grazing(*curve.guard, equations)) return graze(curve, end);
-    if (contains(changed_, end)) return;
-    changed_.push_back(end);
+    if (!is_new(end, changed_)) return;
     ChangeOfSequence change = past_change(family_, curve);
     if (!change.start) return note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
     queue_.add(std::move(*change.start));
   }
 
   void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across) {
-    ExtendedEquations equations(family_, orbit);
-    if (!equations.evaluate(orbit.x)) return;
-    const OrbitMark mark = mark_of(equations);
-    if (contains(crossed_, mark, true)) return;
-    crossed_.push_back(mark);
+    const auto mark = mark_at(orbit);
+    if (!mark || !is_new(*mark, crossed_, true)) return;
     for (CurveStart& start : start_crossing(family_, orbit, across)) queue_.add(std::move(start));
   }
 
   void graze(const TracedCurve& curve, const OrbitMark& end) {
     const auto grazing = grazing_orbit(family_, curve);
     if (!grazing) return note("a grazing orbit cannot be evaluated");
-    if (contains(grazings_, grazing->mark)) return;
-    grazings_.push_back(grazing->mark);
+    if (!is_new(grazing->mark, grazings_)) return;
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
     if (!family_.driven() && grazing->base.events.empty())
       return note(fmt::format("{}: {}", where, kLinearMode));

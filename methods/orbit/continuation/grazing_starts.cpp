@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "methods/continuation/arc_length.hpp"
-#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
@@ -21,13 +20,10 @@ constexpr double kGrazes = 1e-8;  // of X and V
 // The orbit without the impacts that fade, or why they cannot be left out.
 std::string leave_out_impacts(SequencedOrbit& orbit, const ExtendedEquations& equations) {
   for (Eigen::Index i = orbit.count() - 1; i >= 0; --i) {
-    const auto index = static_cast<std::size_t>(i);
-    const double speed =
-        equations.equations().crossings()[index].approach / equations.family().units().velocity;
-    const SequenceEvent& event = orbit.events[index];
-    if (event.kind == ContactEvent::Kind::open || speed >= kGrazes) continue;
+    const SequenceEvent& event = orbit.event(i);
+    if (event.kind == ContactEvent::Kind::open || equations.speed(i) >= kGrazes) continue;
     if (event.kind != ContactEvent::Kind::impact) {  // at a damped stop it has opened at once
-      const bool opens = i + 1 < orbit.count() && orbit.events[index + 1].contact == event.contact;
+      const bool opens = i + 1 < orbit.count() && orbit.event(i + 1).contact == event.contact;
       if (!opens || equations.model().dynamics.rigid(event.contact)) return "a closing fades with it";
       orbit = without_event(orbit, i + 1);
     }
@@ -39,7 +35,7 @@ std::string leave_out_impacts(SequencedOrbit& orbit, const ExtendedEquations& eq
 // How fast each touch penetrates along the orbits without impact, over the first; empty where that cannot be
 // told.
 Eigen::VectorXd rates_of(OrbitFamily& family, const GrazingOrbit& grazing) {
-  constexpr double kBeside = 1e-6, kNone = 1e-6;
+  constexpr double kNone = 1e-6;
   const auto count = static_cast<Eigen::Index>(grazing.touches.size());
   if (count == 1) return Eigen::VectorXd::Ones(1);
   ExtendedEquations equations(family, grazing.base);
@@ -98,16 +94,11 @@ std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve
 }
 
 std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& grazing) {
-  const auto clearance = [&](const ExtendedEquations& equations) {
-    const OrbitSurvey found = survey(equations);
-    const OrbitGuard* guard = found.find(GuardKind::clearance, grazing.touches.front().contact);
-    return guard == nullptr ? std::nan("") : guard->value;
-  };
+  const int contact = grazing.touches.front().contact;
   const auto quiet = with_quiet_section(family, grazing.base);
   if (!quiet) return std::nullopt;
-  return start_where_grows(
-      family, *quiet, clearance,
-      fmt::format("contact {} no longer reaches its stop", grazing.touches.front().contact));
+  return start_where_grows(family, *quiet, guard_value(GuardKind::clearance, contact),
+                           fmt::format("contact {} no longer reaches its stop", contact));
 }
 
 namespace {
@@ -123,7 +114,7 @@ bool sticks(const SequencedOrbit& orbit, const ContactDynamics& dynamics) {
 // touches (GrazingFamily).
 std::optional<SequencedOrbit> struck_at(OrbitFamily& family, const GrazingOrbit& grazing, int periods,
                                         const std::vector<int>& hits) {
-  const auto model = family.model(grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter);
+  const auto model = family.model(grazing.base.parameter() * family.units().parameter);
   const auto count = static_cast<int>(grazing.touches.size());
   SequencedOrbit struck = repeated(grazing.base, periods);
   for (const int hit : hits) {
@@ -147,14 +138,13 @@ std::optional<CurveStart> start_struck(OrbitFamily& family, const SequencedOrbit
                                        const std::string& origin) {
   ExtendedEquations equations(family, orbit);
   if (!equations.evaluate(orbit.x)) return std::nullopt;
-  std::vector<bool> fresh;
-  for (const auto& crossing : equations.equations().crossings())
-    fresh.push_back(std::abs(crossing.approach) < 1e-7 * family.units().velocity);
+  std::vector<Eigen::Index> fresh;
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) {
+    if (std::abs(equations.speed(i)) < kNew) fresh.push_back(i);
+  }
   const auto speed_of_new = [&](const ExtendedEquations& at) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < fresh.size(); ++i) {
-      if (fresh[i]) sum += at.equations().crossings()[i].approach;
-    }
+    for (const Eigen::Index i : fresh) sum += at.speed(i);
     return sum;
   };
   return start_where_grows(family, orbit, speed_of_new, origin);
@@ -173,7 +163,7 @@ CurveStart start_pressed(const SequencedOrbit& orbit, const GrazingOrbit& grazin
       const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(found.hits[k] % touches)];
       const int periods = found.hits[k] / touches;
       const double apart = std::remainder(passed - touch.phase - periods * grazing.base.end(), orbit.end());
-      const SequenceEvent& event = orbit.events[static_cast<std::size_t>(i)];
+      const SequenceEvent& event = orbit.event(i);
       if (std::abs(apart) > kSame || event.contact != touch.contact ||
           event.kind != ContactEvent::Kind::close)
         continue;
@@ -190,7 +180,7 @@ std::optional<CurveStart> start_of(OrbitFamily& family, const GrazingOrbit& graz
                                    const GrazingFamily& found, const std::string& origin) {
   const auto orbit = struck_at(family, grazing, found.periods, found.hits);
   if (!orbit) return std::nullopt;
-  const auto model = family.model(orbit->x[orbit->x.size() - 1] * family.units().parameter);
+  const auto model = family.model(orbit->parameter() * family.units().parameter);
   return model->dynamics.rigid(grazing.touches.front().contact)
              ? start_struck(family, *orbit, origin)
              : start_pressed(*orbit, grazing, found, origin);
@@ -215,7 +205,7 @@ std::optional<std::vector<CurveStart>> start_struck_freely(OrbitFamily& family, 
 
 std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
                                                        int max_order) {
-  const double p = grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter;
+  const double p = grazing.base.parameter() * family.units().parameter;
   const std::string origin =
       fmt::format("grazing of contact {} at {:.10g}", grazing.touches.front().contact, p);
   if (!family.driven()) return start_struck_freely(family, grazing, origin);

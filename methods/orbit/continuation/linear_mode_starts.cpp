@@ -12,17 +12,9 @@
 #include <utility>
 
 #include "methods/orbit/family/followed_quantity.hpp"
-#include "methods/orbit/family/growth.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
-
-std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbit& orbit,
-                                        std::string origin) {
-  const auto way = way_of_growth(family, orbit);
-  if (!way) return std::nullopt;
-  return CurveStart{.orbit = orbit, .tangent = *way, .origin = std::move(origin)};
-}
 
 namespace {
 

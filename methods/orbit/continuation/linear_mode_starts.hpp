@@ -6,15 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "methods/orbit/continuation/curve.hpp"
+#include "methods/orbit/continuation/switching.hpp"
 
 namespace signorini {
 
 /// The parameter of free motions that are followed over their energy.
 inline constexpr std::string_view kEnergy = "energy";
-
-/// A start along the way_of_growth of an orbit; empty where there is none.
-std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbit& orbit, std::string origin);
 
 /// A linear mode about the equilibrium, u = u_s + A phi cos(omega_r t), at the amplitude
 ///

@@ -70,6 +70,14 @@ class ExtendedEquations {
   [[nodiscard]] const OrbitModel& model() const { return *model_; }  ///< there
   [[nodiscard]] const std::shared_ptr<OrbitModel>& shared_model() const { return model_; }  ///< there
   [[nodiscard]] const OrbitEquations& equations() const { return *equations_; }             ///< there
+  /// The speed at which event i strikes its stop, over V [-].
+  [[nodiscard]] double speed(Eigen::Index i) const {
+    return equations_->crossings()[static_cast<std::size_t>(i)].approach / family_.units().velocity;
+  }
+  /// The motion after i events.
+  [[nodiscard]] const LinearArc& arc(Eigen::Index i) const {
+    return *equations_->arcs()[static_cast<std::size_t>(i)];
+  }
   /// Phase after the section at a time of the arcs of `equations` [rad].
   [[nodiscard]] double phase_of(double time) const { return time * frequency() - orbit_.section; }
   /// Time of a phase after the section in the arcs [s].

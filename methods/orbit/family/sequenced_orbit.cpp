@@ -19,8 +19,7 @@ State state_of(const Eigen::VectorXd& x, const ContactDynamics& dynamics, const 
 
 std::vector<PlacedEvent> placed_events(const SequencedOrbit& orbit) {
   std::vector<PlacedEvent> placed;
-  for (Eigen::Index i = 0; i < orbit.count(); ++i)
-    placed.emplace_back(orbit.phase(i), orbit.events[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) placed.emplace_back(orbit.phase(i), orbit.event(i));
   return placed;
 }
 
@@ -37,7 +36,7 @@ SequencedOrbit with_events(const SequencedOrbit& orbit, std::vector<PlacedEvent>
     result.x[i++] = event.first;
     result.events.push_back(std::move(event.second));
   }
-  result.x[i] = orbit.x[orbit.x.size() - 1];
+  result.x[i] = orbit.parameter();
   return result;
 }
 
@@ -110,6 +109,12 @@ double clearance_of_section(const SequencedOrbit& orbit) {
   return m == 0 ? orbit.end() : std::min(orbit.phase(0), orbit.end() - orbit.phase(m - 1));
 }
 
+SequencedOrbit with_event(const SequencedOrbit& orbit, Eigen::Index position, PlacedEvent event) {
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  placed.insert(placed.begin() + position, std::move(event));
+  return with_modes(with_events(orbit, std::move(placed)));
+}
+
 SequencedOrbit repeated(const SequencedOrbit& orbit, int times) {
   std::vector<PlacedEvent> placed;
   for (int k = 0; k < times; ++k) {
@@ -129,7 +134,7 @@ SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<Place
 bool closed_before(const SequencedOrbit& orbit, int contact, double phase) {
   bool closed = orbit.closed[static_cast<std::size_t>(contact)];
   for (Eigen::Index i = 0; i < orbit.count() && orbit.phase(i) < phase; ++i)
-    closed = orbit.events[static_cast<std::size_t>(i)].closed[static_cast<std::size_t>(contact)];
+    closed = orbit.event(i).closed[static_cast<std::size_t>(contact)];
   return closed;
 }
 

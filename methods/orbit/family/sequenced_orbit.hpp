@@ -29,6 +29,12 @@ struct SequencedOrbit {
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(events.size()); }
   /// Ns.
   [[nodiscard]] Eigen::Index states() const { return x.size() - count() - 1; }
+  /// Event i, from 0 to m - 1.
+  [[nodiscard]] const SequenceEvent& event(Eigen::Index i) const {
+    return events[static_cast<std::size_t>(i)];
+  }
+  /// p / P.
+  [[nodiscard]] double parameter() const { return x[x.size() - 1]; }
   /// theta_i after the section [rad].
   [[nodiscard]] double phase(Eigen::Index i) const { return x[states() + i]; }
   /// 2 pi n [rad].
@@ -62,6 +68,10 @@ double quiet_phase(const SequencedOrbit& orbit);
 /// From the section to the nearest event on either side, negative where one has passed it; 2 pi n without
 /// events [rad].
 double clearance_of_section(const SequencedOrbit& orbit);
+
+/// The orbit with another event, before that at a position, whose phases are around that given. The contacts
+/// closed after each event follow from closings and openings.
+SequencedOrbit with_event(const SequencedOrbit& orbit, Eigen::Index position, PlacedEvent event);
 
 /// The same orbit, passed `times` times.
 SequencedOrbit repeated(const SequencedOrbit& orbit, int times);

@@ -68,17 +68,15 @@ class Surveyor {
   }
 
   void event(Eigen::Index i) {
-    const auto index = static_cast<std::size_t>(i);
     const auto number = static_cast<int>(i);
-    const SequenceEvent& event = orbit_.events[index];
+    const SequenceEvent& event = orbit_.event(i);
     const double phase = orbit_.phase(i);
     if (orbit_.count() > 1) {
       const double before = i == 0 ? orbit_.phase(orbit_.count() - 1) - orbit_.end() : orbit_.phase(i - 1);
       add(GuardKind::interval, number, (phase - before) * interval_weight(equations_, i), phase);
     }
-    if (event.kind != ContactEvent::Kind::open)
-      add(GuardKind::approach, number, equations_.equations().crossings()[index].approach / V_, phase);
-    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    if (event.kind != ContactEvent::Kind::open) add(GuardKind::approach, number, equations_.speed(i), phase);
+    const LinearArc& after = equations_.arc(i + 1);
     const double time = equations_.time_of(phase);
     if (event.pushed.size() > 1) together(i, time);
     if (event.kind == ContactEvent::Kind::close && dynamics_.rigid(event.contact))
@@ -93,11 +91,10 @@ class Surveyor {
 
   void together(Eigen::Index i, double time) {
     constexpr double kTogether = 1e-9;
-    const auto index = static_cast<std::size_t>(i);
-    const LinearArc& before = *equations_.equations().arcs()[index];
+    const LinearArc& before = equations_.arc(i);
     double apart = 0.0;
     int struck = 0;
-    for (const int j : orbit_.events[index].pushed) {
+    for (const int j : orbit_.event(i).pushed) {
       if (before.mode().closed(j)) continue;
       ++struck;
       apart = std::max(apart, std::abs(dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_);
@@ -108,12 +105,11 @@ class Surveyor {
 
   // Local maxima of other contacts that the jump of their velocity makes.
   void corners(Eigen::Index i) {
-    const auto index = static_cast<std::size_t>(i);
-    const SequenceEvent& event = orbit_.events[index];
+    const SequenceEvent& event = orbit_.event(i);
     pressed_corners(i);
     if (event.kind != ContactEvent::Kind::impact) return;
-    const LinearArc& before = *equations_.equations().arcs()[index];
-    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    const LinearArc& before = equations_.arc(i);
+    const LinearArc& after = equations_.arc(i + 1);
     const double phase = orbit_.phase(i), time = equations_.time_of(phase);
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       if (j == event.contact || before.mode().closed(j) || after.mode().closed(j)) continue;
@@ -127,10 +123,9 @@ class Surveyor {
 
   // The same of the forces of springs that stay pressed, and what a damped stop makes of those of others.
   void pressed_corners(Eigen::Index i) {
-    const auto index = static_cast<std::size_t>(i);
-    const SequenceEvent& event = orbit_.events[index];
-    const LinearArc& before = *equations_.equations().arcs()[index];
-    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    const SequenceEvent& event = orbit_.event(i);
+    const LinearArc& before = equations_.arc(i);
+    const LinearArc& after = equations_.arc(i + 1);
     const double time = equations_.time_of(orbit_.phase(i));
     for (const int j : before.mode().active) {
       if (j == event.contact || dynamics_.rigid(j) || !after.mode().closed(j)) continue;
@@ -157,7 +152,7 @@ class Surveyor {
   // restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
   [[nodiscard]] bool leaves_rest(Eigen::Index part, int j) const {
     if (part == 0 || !dynamics_.halts(j)) return false;
-    const SequenceEvent& event = orbit_.events[static_cast<std::size_t>(part - 1)];
+    const SequenceEvent& event = orbit_.event(part - 1);
     if (event.contact != j) return false;
     const bool keeps_none =
         event.kind == ContactEvent::Kind::impact &&
@@ -166,7 +161,7 @@ class Surveyor {
   }
 
   void arc(Eigen::Index part, int j, double begin, double end) {
-    const LinearArc& arc = *equations_.equations().arcs()[static_cast<std::size_t>(part)];
+    const LinearArc& arc = equations_.arc(part);
     constexpr double kUnseen = 1e-13;  // share of X: modes below do not move an extreme
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen);
     const bool closed = arc.mode().closed(j);
@@ -220,15 +215,14 @@ std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations) {
 }
 
 double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum) {
-  const auto part = static_cast<std::size_t>(maximum.part);
-  const LinearArc& arc = *equations.equations().arcs()[part];
+  const LinearArc& arc = equations.arc(maximum.part);
   const int j = maximum.guard.index;
   const bool corner = maximum.guard.kind == GuardKind::corner;
   const double time = equations.time_of(corner ? equations.orbit().phase(maximum.part) : maximum.guard.phase);
   const ContactDynamics& dynamics = equations.model().dynamics;
   if (maximum.guard.kind == GuardKind::pressure) return -arc.force(j, time) / dynamics.force_scale(j);
   if (corner && arc.mode().closed(j))
-    return -equations.equations().arcs()[part + 1]->force(j, time) / dynamics.force_scale(j);
+    return -equations.arc(maximum.part + 1).force(j, time) / dynamics.force_scale(j);
   const double gap = dynamics.structure().gaps[j];
   return (gap - arc.displacement(j, time)) / equations.family().units().displacement;
 }
@@ -238,9 +232,8 @@ bool is_grazing(const OrbitGuard& guard, const ExtendedEquations& equations) {
   if (guard.kind == GuardKind::clearance) return dynamics.halts(guard.index);
   if (guard.kind != GuardKind::approach && guard.kind != GuardKind::interval) return false;
   const SequencedOrbit& orbit = equations.orbit();
-  const auto index = static_cast<std::size_t>(guard.index);
-  const SequenceEvent& event = orbit.events[index];
-  const bool follows = index > 0 && orbit.events[index - 1].contact == event.contact;
+  const SequenceEvent& event = orbit.event(guard.index);
+  const bool follows = guard.index > 0 && orbit.event(guard.index - 1).contact == event.contact;
   const bool damped = dynamics.halts(event.contact) && !dynamics.rigid(event.contact);
   if (guard.kind == GuardKind::interval) return damped && follows && event.kind == ContactEvent::Kind::open;
   if (!damped) return event.kind == ContactEvent::Kind::impact;
@@ -250,17 +243,14 @@ bool is_grazing(const OrbitGuard& guard, const ExtendedEquations& equations) {
 }
 
 std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, const ContactDynamics& dynamics) {
-  const auto event = [&]() -> const SequenceEvent& {
-    return orbit.events[static_cast<std::size_t>(guard.index)];
-  };
+  const auto event = [&]() -> const SequenceEvent& { return orbit.event(guard.index); };
   switch (guard.kind) {
     case GuardKind::approach:
       return event().kind == ContactEvent::Kind::impact
                  ? fmt::format("the speed of an impact of contact {} tends to zero", event().contact)
                  : fmt::format("contact {} stops pressing", event().contact);
     case GuardKind::interval: {
-      const std::size_t count = orbit.events.size();
-      const SequenceEvent& before = orbit.events[(static_cast<std::size_t>(guard.index) + count - 1) % count];
+      const SequenceEvent& before = orbit.event((guard.index + orbit.count() - 1) % orbit.count());
       if (before.contact == event().contact)
         return fmt::format("two events of contact {} meet", event().contact);
       return fmt::format("events of contacts {} and {} coincide", before.contact, event().contact);
