@@ -44,7 +44,7 @@ double pitchfork_test(const SeriesCurve& curve);
 std::vector<SeriesStart> pitchfork_branches(const SeriesCurve& curve, const Eigen::VectorXd& tangent);
 
 /// The equations on symmetric motions: the corrector stays on them, where the whole system is singular at a
-/// pitchfork and one of symmetric changes is not. Of the concept CurveEquations, with Settles.
+/// pitchfork and one of symmetric changes is not. Of the concept CurveEquations, which settle.
 class SymmetricMotions {
  public:
   /// \param curve  kept by the caller
