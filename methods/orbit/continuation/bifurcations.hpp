@@ -42,6 +42,10 @@ struct BifurcationTests {
   }
 };
 
+/// States from which on the largest multipliers are cheaper than a determinant, and secants than Newton's
+/// steps
+inline constexpr Eigen::Index kManyStates = 64;
+
 /// Which multipliers are wanted.
 enum class MultiplierRange {
   all,

@@ -16,8 +16,7 @@ namespace {
 
 using Kind = ContactEvent::Kind;
 
-constexpr double kNoLength = 1e-6;  // rad: a phase of contact that is about to begin or has ended
-constexpr double kBrief = 1e-3;     // of the first step: a fold or a doubling can lie next to the beginning
+constexpr double kBrief = 1e-3;  // of the first step: a fold or a doubling can lie next to the beginning
 
 // The start with its section moved away from all events, on the side where a quantity grows, or an obstacle.
 ChangeOfSequence begin_at(OrbitFamily& family, const SequencedOrbit& orbit, const OrbitQuantity& quantity,
@@ -86,7 +85,6 @@ ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, c
 // a contact touches its stop, or lets go, of symmetric motions several. The motion is unique, and all grow.
 ChangeOfSequence begin_phases(OrbitFamily& family, const SequencedOrbit& orbit,
                               const ExtendedEquations& equations) {
-  constexpr double kTouches = 1e-9;
   SequencedOrbit with_phases = orbit;
   for (const GuardMaximum& maximum : survey(equations).maxima) {
     const OrbitGuard& guard = maximum.guard;
@@ -133,7 +131,7 @@ std::optional<Eigen::Index> around_impact(const SequencedOrbit& orbit, Eigen::In
   for (const Eigen::Index impact : {i - 1, i}) {
     if (impact == 0 || impact + 1 >= orbit.count() || orbit.event(impact).pushed.empty()) continue;
     if (orbit.event(impact - 1).contact == orbit.event(impact + 1).contact &&
-        orbit.phase(impact + 1) - orbit.phase(impact - 1) < kNoLength)
+        orbit.phase(impact + 1) - orbit.phase(impact - 1) < kAtOnce)
       return impact - 1;
   }
   return std::nullopt;
@@ -144,7 +142,7 @@ ChangeOfSequence end_around(OrbitFamily& family, const SequencedOrbit& orbit, Ei
   const int contact = orbit.event(first).contact;
   return begin_at(
       family, with_modes(without_event(without_event(orbit, first + 2), first)),
-      guard_value(GuardKind::corner, contact),
+      quantity_of(GuardKind::corner, contact),
       fmt::format("contact {} stops pressing, or no longer opens, around the impact of another", contact));
 }
 
@@ -160,7 +158,7 @@ ChangeOfSequence end_flight(OrbitFamily& family, const SequencedOrbit& orbit, Ei
 SequencedOrbit without_brief_phases(SequencedOrbit orbit) {
   for (Eigen::Index i = orbit.count() - 1; i > 0; --i) {
     const bool one = orbit.event(i).contact == orbit.event(i - 1).contact;
-    if (!one || orbit.phase(i) - orbit.phase(i - 1) > kNoLength) continue;
+    if (!one || orbit.phase(i) - orbit.phase(i - 1) > kAtOnce) continue;
     orbit = without_event(without_event(orbit, i), i - 1);
     --i;
   }
@@ -176,7 +174,7 @@ ChangeOfSequence end_phase(OrbitFamily& family, const SequencedOrbit& orbit, Eig
   if (!family.driven() && without.events.empty()) return {.obstacle = std::string(kLinearMode)};
   ExtendedEquations equations(family, without);
   if (!equations.evaluate(without.x)) return {.obstacle = "the orbit cannot be evaluated"};
-  return begin_at(family, of_least_period(without, equations), guard_value(kind, contact),
+  return begin_at(family, of_least_period(without, equations), quantity_of(kind, contact),
                   fmt::format("contact {} stops pressing, or no longer opens for a moment", contact));
 }
 
@@ -227,7 +225,7 @@ bool keeps_no_speed(const ContactDynamics& dynamics, int contact) {
 // The event after i where it is of the same contact, of a kind, and at no distance; else empty.
 std::optional<Eigen::Index> followed_at_once(const SequencedOrbit& orbit, Eigen::Index i, Kind kind) {
   const bool follows = i + 1 < orbit.count() && orbit.event(i + 1).contact == orbit.event(i).contact &&
-                       orbit.event(i + 1).kind == kind && orbit.phase(i + 1) - orbit.phase(i) < kNoLength;
+                       orbit.event(i + 1).kind == kind && orbit.phase(i + 1) - orbit.phase(i) < kAtOnce;
   return follows ? std::optional(i + 1) : std::nullopt;
 }
 

@@ -31,11 +31,10 @@ bool begin(ExtendedEquations& equations, const CurveStart& start) {
 // Why the point after the start is no orbit of the scene, or on the curve that was to be left; else empty.
 std::string why_rejected(const ExtendedEquations& equations, const CurveStart& start, const Station& begin,
                          const Station& next) {
-  constexpr double kArmed = 1e-9;  // a guard at the start that is positive
   std::string why;
   for (const OrbitGuard& guard : next.survey.guards) {
     const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
-    if (guard.value >= kViolated || before == nullptr || before->value > kArmed) continue;
+    if (guard.value >= kViolated || before == nullptr || before->value > kTouches) continue;
     why =
         "not admissible beside its start: " + describe(guard, equations.orbit(), equations.model().dynamics);
   }
@@ -52,6 +51,15 @@ struct OtherUnknowns {
   std::string obstacle = {};
 };
 
+// The tangent is on the side of `way`, of which the entries are 0 that are no unknowns of both.
+OtherUnknowns going_on(OrbitFamily& family, const SequencedOrbit& orbit, const Eigen::VectorXd& way) {
+  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(family, orbit)};
+  if (!other.equations->evaluate(orbit.x)) return {.obstacle = "the corrector fails"};
+  other.tangent = first_tangent(*other.equations);
+  if (other.tangent.dot(way) < 0.0) other.tangent = -other.tangent;
+  return other;
+}
+
 // An event that slid over the section would make the arcs run backwards. Empty where none is near.
 std::optional<OtherUnknowns> with_section_clear(const ExtendedEquations& here,
                                                 const Eigen::VectorXd& tangent) {
@@ -61,10 +69,12 @@ std::optional<OtherUnknowns> with_section_clear(const ExtendedEquations& here,
   const double phase = quiet_phase(orbit);
   const SequencedOrbit moved = with_section(orbit, here, phase);
   if (clearance_of_section(moved) < kBetter * clearance_of_section(orbit)) return std::nullopt;
-  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(here.family(), moved)};
-  if (!other.equations->evaluate(moved.x)) return std::nullopt;
-  other.tangent = moved_tangent(*other.equations, orbit, tangent, phase);
-  return other;
+  Eigen::VectorXd way = tangent;
+  way.head(orbit.states()).setZero();
+  const auto first = tangent.begin() + orbit.states();
+  std::rotate_copy(first, first + orbit.passed(phase), first + orbit.count(), way.begin() + orbit.states());
+  OtherUnknowns other = going_on(here.family(), moved, way);
+  return other.obstacle.empty() ? std::optional(std::move(other)) : std::nullopt;
 }
 
 // Along the curve the last impacts of a chatter come to matter, or cease to. Empty where they are as before.
@@ -74,10 +84,10 @@ std::optional<OtherUnknowns> with_chatter_resolved(const ExtendedEquations& here
   if (!resolved.obstacle.empty()) return OtherUnknowns{.obstacle = std::move(resolved.obstacle)};
   if (!resolved.orbit) return std::nullopt;
   const SequencedOrbit& orbit = *resolved.orbit;
-  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(here.family(), orbit)};
-  if (!other.equations->evaluate(orbit.x)) return OtherUnknowns{.obstacle = "the corrector fails"};
-  other.tangent = tangent_with(*other.equations, orbit.states(), tangent);
-  return other;
+  Eigen::VectorXd way = Eigen::VectorXd::Zero(orbit.x.size());
+  way.head(orbit.states()) = tangent.head(orbit.states());
+  way[way.size() - 1] = tangent[tangent.size() - 1];
+  return going_on(here.family(), orbit, way);
 }
 
 // A step along the length L of the shortest phase of contact, or break of one, that is about to end: the
@@ -175,8 +185,7 @@ std::string why_over(const SequencedOrbit& last, std::size_t points, int max_poi
 
 // Of many equations, which are solved by secants; else none.
 std::shared_ptr<const CurveFactors> factors_at(ExtendedEquations& equations, const Eigen::VectorXd& row) {
-  constexpr Eigen::Index kMany = 64;
-  if (equations.size() < kMany || !equations.family().driven()) return nullptr;
+  if (equations.size() < kManyStates || !equations.family().driven()) return nullptr;
   return std::make_shared<const CurveFactors>(equations, row);
 }
 
@@ -186,7 +195,7 @@ MultiplierRange range_at(std::size_t points, bool asked) {
   return asked || points % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
 }
 
-constexpr double kFirstStep = 0.01, kShort = 1e-4, kShortestStep = 1e-7;  // takes any turn; the curve ends
+constexpr double kShort = 1e-4, kShortestStep = 1e-7;  // takes any turn; the curve ends
 
 class Tracer {
  public:
@@ -197,7 +206,7 @@ class Tracer {
         followed_(family, energies),
         start_(start),
         equations_(std::make_unique<ExtendedEquations>(family, start.orbit)),
-        step_(kFirstStep * start.first_step_share) {}
+        step_(StepRules::kFirst * start.first_step_share) {}
 
   TracedCurve run() {
     result_.branch.sequence = describe_sequence(start_.orbit);
@@ -268,8 +277,8 @@ class Tracer {
     for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
     if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
     if (crossing) return end_at(*crossing);
-    constexpr double kAway = 1e-2;  // of length: next to the start all orbits are the same to rounding
-    if (start_.leaves == LeftBranch::none && travelled_ > kAway &&
+    // Next to the start all orbits are the same to rounding.
+    if (start_.leaves == LeftBranch::none && travelled_ > StepRules::kFirst &&
         passes(*equations_, here_.x, next.x, start_.orbit))
       return close();
     near_ = factors;
@@ -309,9 +318,7 @@ class Tracer {
   }
 
   bool move_to(double length) {
-    if (!correct(*equations_, here_.x + length * here_.tangent, here_.tangent,
-                 {.iterations = 14, .tolerance = 1e-14}))
-      return false;
+    if (!correct(*equations_, here_.x + length * here_.tangent, here_.tangent, kTight)) return false;
     here_ = station_at(*equations_, here_.tangent);
     append();
     return true;

@@ -21,8 +21,7 @@ namespace signorini {
 namespace {
 
 bool contains(const std::vector<OrbitMark>& marks, const OrbitMark& mark, bool loosely = false) {
-  return std::any_of(marks.begin(), marks.end(),
-                     [&](const OrbitMark& other) { return mark.same(other, loosely); });
+  return std::ranges::any_of(marks, [&](const OrbitMark& other) { return mark.same(other, loosely); });
 }
 
 // Whether there is no such mark among those so far; it is one of them then.
@@ -36,7 +35,7 @@ bool is_new(const OrbitMark& mark, std::vector<OrbitMark>& known, bool loosely =
 bool is_among(const std::vector<OrbitMark>& ends, const OrbitMark& mark, const CurveStart& start) {
   // The branch that was left ends at this very orbit, with its events the other way round.
   if (start.exchanges)
-    return std::any_of(ends.begin(), ends.end(), [&](const OrbitMark& end) {
+    return std::ranges::any_of(ends, [&](const OrbitMark& end) {
       return mark.same(end) && mark.order_of_events == end.order_of_events;
     });
   // A doubled branch ends beside its doubling, not at it.
@@ -59,6 +58,15 @@ OrbitBranch joined(OrbitBranch backward, const OrbitBranch& forward) {
   for (std::size_t i = specials; i < backward.special.size(); ++i) backward.special[i].after += half - 1;
   backward.began = std::exchange(backward.ended, forward.ended);
   return backward;
+}
+
+// What the halves of a curve from one orbit are, of which one at least is not rejected.
+std::vector<OrbitBranch> branches_of(const TracedCurve& forward, const TracedCurve& backward) {
+  if (!backward.rejected.empty()) return {forward.branch};
+  if (!forward.rejected.empty()) return {backward.branch};
+  // Impacts of one instant at the start, in either order.
+  if (forward.branch.sequence != backward.branch.sequence) return {backward.branch, forward.branch};
+  return {joined(backward.branch, forward.branch)};
 }
 
 // A value in the widest part of the interval that no branch reaches, which is noted with those asked before;
@@ -104,15 +112,11 @@ class DiagramTracer {
 
   OrbitDiagram run(const std::vector<SequencedOrbit>& seeds, const OrbitsAt& more,
                    const std::vector<CurveStart>& starts) {
-    for (const CurveStart& start : starts) {
-      if (queue_.is_over()) break;
-      follow(start);
-    }
+    for (const CurveStart& start : starts)
+      if (!queue_.is_over()) follow(start);
     // The interval first: what begins on the way may be a cascade that has no end.
-    for (const SequencedOrbit& seed : seeds) {
-      if (queue_.is_over()) break;
-      add_seed(seed);
-    }
+    for (const SequencedOrbit& seed : seeds)
+      if (!queue_.is_over()) add_seed(seed);
     if (more) fill(more);
     while (auto start = queue_.next()) {
       if (start->leaves != LeftBranch::crossing && is_an_end(*start)) continue;
@@ -154,12 +158,8 @@ class DiagramTracer {
     if (violates(station_at(equations, tangent))) return;  // no motion of the scene
     const std::string origin = fmt::format("start at {:.10g}", equations.parameter());
     const auto half = [&](double sign) {
-      return trace_curve(
-          family_,
-          in_order_along(
-              family_,
-              {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none}),
-          limits_, energies_);
+      const CurveStart start{.orbit = orbit, .tangent = sign * tangent, .origin = origin};
+      return trace_curve(family_, in_order_along(family_, start), limits_, energies_);
     };
     const TracedCurve forward = half(1.0);
     if (forward.closes) {
@@ -169,18 +169,9 @@ class DiagramTracer {
     const TracedCurve backward = half(-1.0);
     if (!forward.rejected.empty() && !backward.rejected.empty())
       return note(origin + ": " + forward.rejected);
-    const auto usable = [](const TracedCurve& curve) { return curve.rejected.empty(); };
-    if (usable(forward) && usable(backward) && forward.branch.sequence != backward.branch.sequence) {
-      queue_.keep(backward.branch);  // impacts of one instant at the start, in either order
-      queue_.keep(forward.branch);
-    } else {
-      queue_.keep(!usable(backward)  ? forward.branch
-                  : !usable(forward) ? backward.branch
-                                     : joined(backward.branch, forward.branch));
-    }
-    for (const TracedCurve* curve : {&forward, &backward}) {
-      if (usable(*curve)) leave(*curve);
-    }
+    for (OrbitBranch& branch : branches_of(forward, backward)) queue_.keep(std::move(branch));
+    if (forward.rejected.empty()) leave(forward);
+    if (backward.rejected.empty()) leave(backward);
   }
 
   // An orbit of a branch that has been traced.

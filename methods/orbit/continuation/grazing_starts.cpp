@@ -44,12 +44,11 @@ Eigen::VectorXd rates_of(OrbitFamily& family, const GrazingOrbit& grazing) {
   Eigen::VectorXd rates = Eigen::VectorXd::Zero(count);
   for (const double side : {1.0, -1.0}) {
     if (!equations.evaluate(grazing.base.x + side * kBeside * tangent)) return {};
-    const OrbitSurvey found = survey(equations);
     for (Eigen::Index a = 0; a < count; ++a) {
-      const OrbitGuard* guard =
-          found.find(GuardKind::clearance, grazing.touches[static_cast<std::size_t>(a)].contact);
-      if (guard == nullptr) return {};
-      rates[a] -= side * guard->value / (2.0 * kBeside);
+      const int contact = grazing.touches[static_cast<std::size_t>(a)].contact;
+      const auto clearance = guard_value(equations, GuardKind::clearance, contact);
+      if (!clearance) return {};
+      rates[a] -= side * *clearance / (2.0 * kBeside);
     }
   }
   if (!(std::abs(rates[0]) > kNone)) return {};
@@ -59,7 +58,6 @@ Eigen::VectorXd rates_of(OrbitFamily& family, const GrazingOrbit& grazing) {
 }  // namespace
 
 std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve& curve) {
-  constexpr double kApart = 1e-6;  // rad
   GrazingOrbit grazing{.base = curve.last};
   ExtendedEquations last(family, curve.last);
   if (!last.evaluate(curve.last.x)) return std::nullopt;
@@ -77,10 +75,9 @@ std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve
           {.contact = guard.index, .phase = std::fmod(guard.phase, grazing.base.end())});
   }
   if (grazing.touches.empty()) return std::nullopt;
-  std::sort(grazing.touches.begin(), grazing.touches.end(),
-            [](const GrazingTouch& a, const GrazingTouch& b) { return a.phase < b.phase; });
+  std::ranges::sort(grazing.touches, {}, &GrazingTouch::phase);
   for (std::size_t a = 1; a < grazing.touches.size(); ++a) {
-    if (grazing.touches[a].phase - grazing.touches[a - 1].phase < kApart)
+    if (grazing.touches[a].phase - grazing.touches[a - 1].phase < kAtOnce)
       grazing.obstacle = "two contacts graze at one instant";
   }
   const Eigen::VectorXd rates = rates_of(family, grazing);
@@ -97,7 +94,7 @@ std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& g
   const int contact = grazing.touches.front().contact;
   const auto quiet = with_quiet_section(family, grazing.base);
   if (!quiet) return std::nullopt;
-  return start_where_grows(family, *quiet, guard_value(GuardKind::clearance, contact),
+  return start_where_grows(family, *quiet, quantity_of(GuardKind::clearance, contact),
                            fmt::format("contact {} no longer reaches its stop", contact));
 }
 
@@ -121,14 +118,7 @@ std::optional<SequencedOrbit> struck_at(OrbitFamily& family, const GrazingOrbit&
     const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(hit % count)];
     const int passed = hit / count;  // periods
     const double phase = touch.phase + passed * grazing.base.end();
-    struck = model->dynamics.rigid(touch.contact)
-                 ? with_impacts(
-                       struck,
-                       {{phase, SequenceEvent{.kind = ContactEvent::Kind::impact,
-                                              .contact = touch.contact,
-                                              .pushed = {touch.contact},
-                                              .restitution = {model->dynamics.restitution(touch.contact)}}}})
-                 : with_contact_phase(struck, touch.contact, phase);
+    struck = with_touch(struck, touch.contact, phase, model->dynamics);
   }
   return with_quiet_section(family, struck);
 }
@@ -154,7 +144,6 @@ std::optional<CurveStart> start_struck(OrbitFamily& family, const SequencedOrbit
 // no length: each comes earlier as the root of its impulse, all else at second order.
 CurveStart start_pressed(const SequencedOrbit& orbit, const GrazingOrbit& grazing, const GrazingFamily& found,
                          const std::string& origin) {
-  constexpr double kSame = 1e-6;  // rad
   const auto touches = static_cast<int>(grazing.touches.size());
   CurveStart start{.orbit = orbit, .tangent = Eigen::VectorXd::Zero(orbit.x.size()), .origin = origin};
   for (Eigen::Index i = 0; i < orbit.count(); ++i) {
@@ -164,7 +153,7 @@ CurveStart start_pressed(const SequencedOrbit& orbit, const GrazingOrbit& grazin
       const int periods = found.hits[k] / touches;
       const double apart = std::remainder(passed - touch.phase - periods * grazing.base.end(), orbit.end());
       const SequenceEvent& event = orbit.event(i);
-      if (std::abs(apart) > kSame || event.contact != touch.contact ||
+      if (std::abs(apart) > kAtOnce || event.contact != touch.contact ||
           event.kind != ContactEvent::Kind::close)
         continue;
       const bool told = found.impulses.size() > 0;

@@ -56,7 +56,6 @@ std::vector<bool> last_impacts(const ExtendedEquations& equations) {
 // order would be lost.
 std::vector<int> least_rotation(const std::vector<int>& events, const std::vector<double>& phases,
                                 double end) {
-  constexpr double kLonger = 1e-6;  // rad
   const auto before = [&](std::size_t i) {
     return phases[i] - (i == 0 ? phases.back() - end : phases[i - 1]);
   };
@@ -64,7 +63,7 @@ std::vector<int> least_rotation(const std::vector<int>& events, const std::vecto
   for (std::size_t i = 0; i < events.size(); ++i) longest = std::max(longest, before(i));
   std::vector<int> least;
   for (std::size_t i = 0; i < events.size(); ++i) {
-    if (before(i) < longest - kLonger) continue;
+    if (before(i) < longest - kAtOnce) continue;
     std::vector<int> rotated = events;
     std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(i), rotated.end());
     if (least.empty() || rotated < least) least = std::move(rotated);
@@ -91,11 +90,8 @@ OrbitMark mark_of(const ExtendedEquations& equations) {
   return mark;
 }
 
-OrbitQuantity guard_value(GuardKind kind, int index) {
-  return [=](const ExtendedEquations& at) {
-    const auto guard = guard_of(at, kind, index);
-    return guard ? guard->value : std::nan("");
-  };
+OrbitQuantity quantity_of(GuardKind kind, int index) {
+  return [=](const ExtendedEquations& at) { return guard_value(at, kind, index).value_or(std::nan("")); };
 }
 
 std::optional<CurveStart> start_where_grows(OrbitFamily& family, const SequencedOrbit& orbit,

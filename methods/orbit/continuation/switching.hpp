@@ -35,7 +35,7 @@ inline constexpr double kNew = 1e-7;
 using OrbitQuantity = std::function<double(const ExtendedEquations&)>;
 
 /// A guard, NaN where it does not exist.
-OrbitQuantity guard_value(GuardKind kind, int index);
+OrbitQuantity quantity_of(GuardKind kind, int index);
 
 /// A start at `orbit` along the curve on the side where a quantity that vanishes there grows; empty where the
 /// equations cannot be evaluated.

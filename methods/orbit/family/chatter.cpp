@@ -122,25 +122,14 @@ ResolvedChatter resolve_chatter(const ExtendedEquations& equations) {
 
 bool leaves_out_too_much(const ExtendedEquations& equations) {
   constexpr double kTooMuch = 30.0;  // times
-  const std::vector<ChatterEnd> ends = chatter_ends(equations);
-  return std::any_of(ends.begin(), ends.end(),
-                     [](const ChatterEnd& end) { return end.left_out > kTooMuch * kChatterLeftOut; });
+  return std::ranges::any_of(chatter_ends(equations),
+                             [](const ChatterEnd& end) { return end.left_out > kTooMuch * kChatterLeftOut; });
 }
 
 bool ends_chatter(const ExtendedEquations& equations, const OrbitGuard& guard) {
   if (guard.kind != GuardKind::interval && guard.kind != GuardKind::landing) return false;
   const Eigen::Index closing = guard.kind == GuardKind::interval ? guard.index - 1 : guard.index;
-  const std::vector<ChatterEnd> ends = chatter_ends(equations);
-  return std::any_of(ends.begin(), ends.end(),
-                     [closing](const ChatterEnd& end) { return end.closing == closing; });
-}
-
-Eigen::VectorXd tangent_with(ExtendedEquations& equations, Eigen::Index states,
-                             const Eigen::VectorXd& before) {
-  const Eigen::VectorXd tangent = first_tangent(equations);
-  const double shared =
-      tangent.head(states).dot(before.head(states)) + tangent[tangent.size() - 1] * before[before.size() - 1];
-  return shared < 0.0 ? Eigen::VectorXd(-tangent) : tangent;
+  return std::ranges::count(chatter_ends(equations), closing, &ChatterEnd::closing) > 0;
 }
 
 }  // namespace signorini

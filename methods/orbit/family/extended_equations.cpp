@@ -276,20 +276,24 @@ bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
   return true;
 }
 
+Eigen::VectorXd ExtendedEquations::residual_beside(double step) const {
+  Eigen::VectorXd beside = orbit_.x;
+  beside[size()] += step;
+  try {
+    const auto model = family_.model(beside[size()] * family_.units().parameter);
+    if (const auto equations = evaluated(*model, beside, false))
+      return residual_of(*equations, *model, beside);
+  } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
+  }
+  return Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN());
+}
+
 const Eigen::MatrixXd& ExtendedEquations::jacobian() {
-  constexpr double kStep = 1e-7, kNear = 1e-6;  // in units of the curve
+  constexpr double kNear = 1e-6;  // in units of the curve
   if (column_at_.size() == orbit_.x.size() && (column_at_ - orbit_.x).lpNorm<Eigen::Infinity>() < kNear)
     return jacobian_;
-  Eigen::VectorXd beside = orbit_.x;
-  beside[size()] += kStep;
-  const auto model = family_.model(beside[size()] * family_.units().parameter);
-  const auto equations = evaluated(*model, beside, false);
-  if (equations) {
-    jacobian_.col(size()) = (residual_of(*equations, *model, beside) - residual_) / kStep;
-    column_at_ = orbit_.x;
-  } else {
-    jacobian_.col(size()).setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
+  jacobian_.col(size()) = (residual_beside(kDifference) - residual_) / kDifference;
+  if (jacobian_.col(size()).allFinite()) column_at_ = orbit_.x;
   return jacobian_;
 }
 
@@ -298,22 +302,9 @@ Eigen::MatrixXd ExtendedEquations::accurate_jacobian() const {
   constexpr std::array<std::pair<double, double>, 4> kWeights{
       {{1.0, 8.0}, {-1.0, -8.0}, {2.0, -1.0}, {-2.0, 1.0}}};
   Eigen::MatrixXd J = jacobian_;
-  auto column = J.col(size());
-  column.setZero();
-  for (const auto& [steps, weight] : kWeights) {
-    Eigen::VectorXd beside = orbit_.x;
-    beside[size()] += steps * kStep;
-    try {
-      const auto model = family_.model(beside[size()] * family_.units().parameter);
-      const auto equations = evaluated(*model, beside, false);
-      if (equations)
-        column += weight / (12.0 * kStep) * residual_of(*equations, *model, beside);
-      else
-        column.setConstant(std::numeric_limits<double>::quiet_NaN());
-    } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
-      column.setConstant(std::numeric_limits<double>::quiet_NaN());
-    }
-  }
+  J.col(size()).setZero();
+  for (const auto& [steps, weight] : kWeights)
+    J.col(size()) += weight / (12.0 * kStep) * residual_beside(steps * kStep);
   return J;
 }
 
@@ -323,10 +314,8 @@ Eigen::MatrixXd ExtendedEquations::conditions() const {
 }
 
 Eigen::VectorXd ExtendedEquations::state_at(double phase) const {
-  Eigen::Index i = 0;
-  while (i < orbit_.count() && orbit_.phase(i) < phase) ++i;
   State state;
-  arc(i).state(time_of(phase), state);
+  arc(orbit_.passed(phase)).state(time_of(phase), state);
   Eigen::VectorXd y(orbit_.states());
   y << state.u / family_.units().displacement, state.v / family_.units().velocity;
   return y;

@@ -9,6 +9,9 @@
 
 namespace signorini {
 
+/// The steps of forward differences along curves [CurveUnits]
+inline constexpr double kDifference = 1e-7;
+
 /// OrbitEquations of a sequence, Ns + m of them, in the unknowns x of SequencedOrbit: R(x) = 0 is a curve
 /// where [dR/dy, dR/dtheta, dR/dp] has full rank. With phases of the events as unknowns it is smooth through
 /// the grazing of an impact, and says nothing of admissibility (`survey`).
@@ -97,6 +100,8 @@ class ExtendedEquations {
   [[nodiscard]] Eigen::VectorXd state_factors(const OrbitModel& model) const;
   [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model,
                                             const Eigen::VectorXd& x) const;
+  // R where the parameter is a step further, x else the same; NaN where there is no scene beside p.
+  [[nodiscard]] Eigen::VectorXd residual_beside(double step) const;
   // By which power k of the length since event i - 1 the equation of event i at x is divided; 0 where it is
   // not.
   [[nodiscard]] int divided(const Eigen::VectorXd& x, Eigen::Index i) const;

@@ -125,27 +125,32 @@ SequencedOrbit repeated(const SequencedOrbit& orbit, int times) {
   return with_events(result, std::move(placed));
 }
 
-SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& impacts) {
+SequencedOrbit with_more(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& more) {
   std::vector<PlacedEvent> placed = placed_events(orbit);
-  for (const auto& [phase, impact] : impacts) placed.emplace_back(phase, impact);
+  placed.insert(placed.end(), more.begin(), more.end());
   return with_modes(with_events(orbit, std::move(placed)));
 }
 
 bool closed_before(const SequencedOrbit& orbit, int contact, double phase) {
-  bool closed = orbit.closed[static_cast<std::size_t>(contact)];
-  for (Eigen::Index i = 0; i < orbit.count() && orbit.phase(i) < phase; ++i)
-    closed = orbit.event(i).closed[static_cast<std::size_t>(contact)];
-  return closed;
+  const Eigen::Index passed = orbit.passed(phase);
+  return (passed == 0 ? orbit.closed : orbit.event(passed - 1).closed)[static_cast<std::size_t>(contact)];
 }
 
 SequencedOrbit with_contact_phase(const SequencedOrbit& orbit, int contact, double phase) {
   const bool closed = closed_before(orbit, contact, phase);
-  std::vector<PlacedEvent> placed = placed_events(orbit);
-  for (const bool opens : {closed, !closed})
-    placed.emplace_back(phase,
-                        SequenceEvent{.kind = opens ? ContactEvent::Kind::open : ContactEvent::Kind::close,
-                                      .contact = contact});
-  return with_modes(with_events(orbit, std::move(placed)));
+  using Kind = ContactEvent::Kind;
+  const auto event = [&](bool opens) {
+    return PlacedEvent{phase, {.kind = opens ? Kind::open : Kind::close, .contact = contact}};
+  };
+  return with_more(orbit, {event(closed), event(!closed)});
+}
+
+SequencedOrbit with_touch(const SequencedOrbit& orbit, int contact, double phase,
+                          const ContactDynamics& dynamics) {
+  if (!dynamics.rigid(contact)) return with_contact_phase(orbit, contact, phase);
+  SequenceEvent impact{.kind = ContactEvent::Kind::impact, .contact = contact, .pushed = {contact}};
+  impact.restitution = {dynamics.restitution(contact)};
+  return with_more(orbit, {{phase, impact}});
 }
 
 SequencedOrbit with_modes(SequencedOrbit orbit) {

@@ -13,6 +13,11 @@ namespace signorini {
 
 namespace {
 
+// Whether one of those that an event strikes comes to rest.
+bool keeps_none(const SequenceEvent& event) {
+  return std::ranges::find(event.restitution, 0.0) != event.restitution.end();
+}
+
 class Surveyor {
  public:
   explicit Surveyor(const ExtendedEquations& equations)
@@ -83,14 +88,12 @@ class Surveyor {
       add(GuardKind::landing, number,
           -after.force(event.contact, time) / dynamics_.force_scale(event.contact), phase);
     if (event.kind != ContactEvent::Kind::impact) return;
-    if (std::find(event.restitution.begin(), event.restitution.end(), 0.0) != event.restitution.end() &&
-        event.pushed.size() == 1)
+    if (keeps_none(event) && event.pushed.size() == 1)
       add(GuardKind::release, number,
           -after.displacement(event.contact, time, 2) / (V_ * equations_.frequency()), phase);
   }
 
   void together(Eigen::Index i, double time) {
-    constexpr double kTogether = 1e-9;
     const LinearArc& before = equations_.arc(i);
     double apart = 0.0;
     int struck = 0;
@@ -100,7 +103,7 @@ class Surveyor {
       apart = std::max(apart, std::abs(dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_);
     }
     if (struck < 2) return;
-    add(GuardKind::together, static_cast<int>(i), kTogether - apart, orbit_.phase(i));
+    add(GuardKind::together, static_cast<int>(i), kTouches - apart, orbit_.phase(i));
   }
 
   // Local maxima of other contacts that the jump of their velocity makes.
@@ -154,10 +157,8 @@ class Surveyor {
     if (part == 0 || !dynamics_.halts(j)) return false;
     const SequenceEvent& event = orbit_.event(part - 1);
     if (event.contact != j) return false;
-    const bool keeps_none =
-        event.kind == ContactEvent::Kind::impact &&
-        std::find(event.restitution.begin(), event.restitution.end(), 0.0) != event.restitution.end();
-    return event.kind == ContactEvent::Kind::open || keeps_none;
+    return event.kind == ContactEvent::Kind::open ||
+           (event.kind == ContactEvent::Kind::impact && keeps_none(event));
   }
 
   void arc(Eigen::Index part, int j, double begin, double end) {
@@ -193,9 +194,8 @@ class Surveyor {
 }  // namespace
 
 const OrbitGuard* OrbitSurvey::find(GuardKind kind, int index) const {
-  const auto found = std::find_if(guards.begin(), guards.end(), [&](const OrbitGuard& guard) {
-    return guard.kind == kind && guard.index == index;
-  });
+  const auto found = std::ranges::find_if(
+      guards, [&](const OrbitGuard& guard) { return guard.kind == kind && guard.index == index; });
   return found == guards.end() ? nullptr : &*found;
 }
 
@@ -208,6 +208,11 @@ OrbitSurvey survey(const ExtendedEquations& equations) { return Surveyor(equatio
 
 std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind kind, int index) {
   return Surveyor(equations).guard(kind, index);
+}
+
+std::optional<double> guard_value(const ExtendedEquations& equations, GuardKind kind, int index) {
+  const auto guard = guard_of(equations, kind, index);
+  return guard ? std::optional(guard->value) : std::nullopt;
 }
 
 std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations) {
@@ -238,7 +243,6 @@ bool is_grazing(const OrbitGuard& guard, const ExtendedEquations& equations) {
   if (guard.kind == GuardKind::interval) return damped && follows && event.kind == ContactEvent::Kind::open;
   if (!damped) return event.kind == ContactEvent::Kind::impact;
   // Else the contact, let go for a moment, closes again at once.
-  constexpr double kAtOnce = 1e-6;  // rad
   return !follows || orbit.phase(guard.index) - orbit.phase(guard.index - 1) > kAtOnce;
 }
 

@@ -33,9 +33,8 @@ GuardCubic::Lowest GuardCubic::lowest() const {
 
 std::vector<TrackedGuard> tracked_guards(ExtendedEquations& equations, const Eigen::VectorXd& x,
                                          const Eigen::VectorXd& tangent, const OrbitSurvey& found) {
-  constexpr double kStep = 1e-7;  // in units of the curve, as that of dR/dp
   const Eigen::Index states = equations.orbit().states(), events = equations.orbit().count();
-  Eigen::VectorXd beside = x + kStep * tangent;
+  Eigen::VectorXd beside = x + kDifference * tangent;
   equations.settle(beside);
   if (!equations.evaluate_motion(beside)) return {};
   std::vector<TrackedGuard> tracked;
@@ -50,13 +49,13 @@ std::vector<TrackedGuard> tracked_guards(ExtendedEquations& equations, const Eig
       // As the tangent has it: the length of a chatter's last flights is below the error of a difference.
       const Eigen::Index later = states + guard.index;
       const Eigen::Index earlier = states + (guard.index + events - 1) % events;
-      change = kStep * (tangent[later] - tangent[earlier]) * interval_weight(equations, guard.index);
+      change = kDifference * (tangent[later] - tangent[earlier]) * interval_weight(equations, guard.index);
     }
-    tracked.push_back({.guard = {.guard = guard, .part = guard.index}, .rate = change / kStep});
+    tracked.push_back({.guard = {.guard = guard, .part = guard.index}, .rate = change / kDifference});
   }
   for (const GuardMaximum& maximum : found.maxima)
     tracked.push_back(
-        {.guard = maximum, .rate = (value_at(equations, maximum) - maximum.guard.value) / kStep});
+        {.guard = maximum, .rate = (value_at(equations, maximum) - maximum.guard.value) / kDifference});
   return tracked;
 }
 
