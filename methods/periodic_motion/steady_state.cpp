@@ -111,32 +111,7 @@ class March {
     remember();
   }
 
-  FixedPoint run() {
-    constexpr long kShortest = 4, kLongest = 64;  // periods between two proposals
-    long pause = kShortest, next = kShortest;
-    while (marched_ < options_.max_iterations) {
-      step();
-      if (marched_ >= next) {
-        const long before = map_.periods();
-        if (auto found = propose()) return *found;
-        // Newton's method costs several periods: the more often it was asked in vain, the longer it rests.
-        const bool asked = map_.periods() > before;
-        pause = asked ? std::min(2 * pause, kLongest) : kShortest;
-        next = asked ? marched_ + pause : marched_ + 1;
-        if (asked || marched_ % kLongest == 0) leave_events();
-      }
-      if (auto found = settled()) return *found;
-    }
-    const int order = std::ranges::min(std::views::iota(1, std::max(1, options_.max_order) + 1), {},
-                                       [&](int candidate) { return repeat(candidate); });
-    return {.message =
-                fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
-                            marched_, options_.max_order, order, repeat(order)),
-            .start = state_,
-            .order = order,
-            .residual = repeat(order),
-            .iterations = map_.periods()};
-  }
+  FixedPoint run();
 
  private:
   void remember() {
@@ -272,6 +247,33 @@ class March {
   long marched_ = 0;
   int moves_ = 0;
 };
+
+FixedPoint March::run() {
+  constexpr long kShortest = 4, kLongest = 64;  // periods between two proposals
+  long pause = kShortest, next = kShortest;
+  while (marched_ < options_.max_iterations) {
+    step();
+    if (marched_ >= next) {
+      const long before = map_.periods();
+      if (auto found = propose()) return *found;
+      // Newton's method costs several periods: the more often it was asked in vain, the longer it rests.
+      const bool asked = map_.periods() > before;
+      pause = asked ? std::min(2 * pause, kLongest) : kShortest;
+      next = asked ? marched_ + pause : marched_ + 1;
+      if (asked || marched_ % kLongest == 0) leave_events();
+    }
+    if (auto found = settled()) return *found;
+  }
+  const int order = std::ranges::min(std::views::iota(1, std::max(1, options_.max_order) + 1), {},
+                                     [&](int candidate) { return repeat(candidate); });
+  return {.message =
+              fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
+                          marched_, options_.max_order, order, repeat(order)),
+          .start = state_,
+          .order = order,
+          .residual = repeat(order),
+          .iterations = map_.periods()};
+}
 
 }  // namespace
 

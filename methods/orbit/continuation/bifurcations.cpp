@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <vector>
 
 #include "methods/flow/impact_groups.hpp"
@@ -54,16 +55,16 @@ double product_of_the_others(const Eigen::VectorXcd& mu) {
   return std::abs(product) < kRounding ? 0.0 : product;
 }
 
-}  // namespace
-
+// Of a free motion all but the two nearest to 1.
 Eigen::VectorXcd decisive_multipliers(const ExtendedEquations& equations,
                                       const Eigen::VectorXcd& multipliers) {
   if (equations.family().driven() || multipliers.size() < 2) return multipliers;
   std::vector<Complex> sorted(multipliers.begin(), multipliers.end());
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Complex& a, const Complex& b) { return std::abs(a - 1.0) > std::abs(b - 1.0); });
+  std::ranges::sort(sorted, std::greater<>(), [](const Complex& mu) { return std::abs(mu - 1.0); });
   return Eigen::VectorXcd::Map(sorted.data(), multipliers.size() - 2);
 }
+
+}  // namespace
 
 bool loses_nothing(const ExtendedEquations& equations) {
   const FlowStructure& structure = equations.model().dynamics.structure();
@@ -267,8 +268,7 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
     return continuous;
   }
   BifurcationTests tests = multipliers_at(equations, range);
-  for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
-                                 SpecialKind::branch_point, SpecialKind::phase_resonance})
+  for (const SpecialKind kind : BifurcationTests::kKinds)
     tests.values[slot(kind)] = factors != nullptr && kind == SpecialKind::branch_point
                                    ? factors->relative_determinant()
                                    : test_of(equations, tangent, kind, tests.multipliers);

@@ -180,7 +180,6 @@ ChangeOfSequence end_phase(OrbitFamily& family, const SequencedOrbit& orbit, Eig
 
 // Events i - 1 and i of two contacts have met; with them, of a motion with a symmetry, other pairs.
 ChangeOfSequence exchange(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
-  constexpr double kTogether = 1e-9;  // rad: pairs that a symmetry makes meet do so to rounding
   SequencedOrbit exchanged = orbit;
   for (Eigen::Index k = 1; k < orbit.count(); ++k) {
     const bool meet = std::abs(orbit.phase(k) - orbit.phase(k - 1)) < kTogether &&

@@ -145,10 +145,6 @@ SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& gua
                   why_order_matters(equations, guard)};
 }
 
-std::string note_at(std::string_view what, const Station& here, const OrbitFamily& family) {
-  return fmt::format("{} at {:.10g}", what, here.x[here.x.size() - 1] * family.units().parameter);
-}
-
 // A special point before the next point of the branch.
 void add(SpecialPoint special, OrbitGuess orbit, TracedCurve& result) {
   special.after = result.branch.points.size();
@@ -165,22 +161,9 @@ void record(LocatedBifurcation found, TracedCurve& result) {
   add(std::move(found.special), std::move(found.special_orbit), result);
 }
 
-// The equations' orbit as the next point of a branch.
-void append_point(const ExtendedEquations& equations, const Station& here, int phases, OrbitBranch& branch) {
-  branch.points.push_back(solution_point(equations, here, phases));
-  branch.orbits.push_back(orbit_at(equations));
-}
-
 // |y_0| in CurveUnits.
 double size_of_state(const SequencedOrbit& orbit) {
   return orbit.x.head(orbit.states()).lpNorm<Eigen::Infinity>();
-}
-
-// Why a curve goes on no further than its last point; else empty.
-std::string why_over(const SequencedOrbit& last, std::size_t points, int max_points) {
-  if (size_of_state(last) > kMostGrown) return kGrown;
-  if (static_cast<int>(points) >= max_points) return fmt::format("limit of {} points", max_points);
-  return {};
 }
 
 // Of many equations, which are solved by secants; else none.
@@ -228,64 +211,20 @@ class Tracer {
 
  private:
   [[nodiscard]] CurveStep whole_step() const { return {here_.x, here_.tangent, step_}; }
-  void append() { append_point(*equations_, here_, limits_.phases, result_.branch); }
-  void note(std::string_view what) { result_.notes.push_back(note_at(what, here_, family_)); }
+  void append() {
+    result_.branch.points.push_back(solution_point(*equations_, here_, limits_.phases));
+    result_.branch.orbits.push_back(orbit_at(*equations_));
+  }
+  void note(std::string_view what) {
+    const double parameter = here_.x[here_.x.size() - 1] * family_.units().parameter;
+    result_.notes.push_back(fmt::format("{} at {:.10g}", what, parameter));
+  }
   void finish(std::string reason) {
     result_.branch.ended = std::move(reason);
     done_ = true;
   }
 
-  // One attempt at a step: taken, or shortened.
-  void advance() {
-    constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
-    if (limits_.expired()) return finish("the time is up");
-    if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
-    auto iterations =
-        correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = near_.get()});
-    const bool lands =
-        !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
-    if (!iterations) return shorten(0.4);
-    if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
-    const auto target = followed_.target(limits_.at, *equations_, here_.x);
-    const bool beyond = target ? target->leaves : lands;
-    if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
-    const auto factors = factors_at(*equations_, here_.tangent);
-    const auto tangent = factors ? factors->tangent() : tangent_of(*equations_, here_.tangent);
-    const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(StepRules::kTurned);
-    if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
-    if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
-      return shorten(0.5);
-    Station next = station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands),
-                              factors.get());
-    if (rejects(next)) return reject();
-    if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
-    const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
-    if (crossing && rejects(next)) return reject();
-    if (unseen && (step_ > kShort || (violates(next) && !crossing))) return shorten(0.5);
-    if (unseen) note("whether a contact passes its stop between two points is not decided");
-    const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
-    if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
-    // Tests vanish too where a phase of no length begins, and at a doubling to the root of rounding.
-    constexpr double kBefore = 1.0 - 1e-6, kAtDoubling = 1e-3;  // of the step; of length
-    const double inside = std::min({step_, crossing ? kBefore * crossing->length : step_,
-                                    halved ? std::max(0.0, *halved - kAtDoubling) : step_});
-    StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
-    const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
-    if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
-    if (met.undecided) note("a bifurcation is not located");
-    if (hides && !met.undecided) note("two bifurcations may be one");
-    for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
-    if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
-    if (crossing) return end_at(*crossing);
-    // Next to the start all orbits are the same to rounding.
-    if (start_.leaves == LeftBranch::none && travelled_ > StepRules::kFirst &&
-        passes(*equations_, here_.x, next.x, start_.orbit))
-      return close();
-    near_ = factors;
-    accept(std::move(next), *iterations);
-    if (beyond && !done_) finish(std::string(kEndOfInterval));
-  }
-
+  void advance();
   void shorten(double factor) {
     if (unsteered_) {
       std::tie(here_, step_) = *std::exchange(unsteered_, std::nullopt);
@@ -364,8 +303,9 @@ class Tracer {
         longest_step(limits_.step_share * kLongestStep, size_of_state(equations_->orbit()));
     step_ = std::max(next_step(step_, iterations, turn, longest), planned_);
     planned_ = 0.0;
-    std::string over = why_over(equations_->orbit(), result_.branch.points.size(), limits_.max_points);
-    if (!over.empty()) return finish(std::move(over));
+    if (size_of_state(equations_->orbit()) > kMostGrown) return finish(kGrown);
+    if (static_cast<int>(result_.branch.points.size()) >= limits_.max_points)
+      return finish(fmt::format("limit of {} points", limits_.max_points));
     if (auto moved = with_section_clear(*equations_, here_.tangent)) go_on_with(std::move(*moved));
     if (auto resolved = with_chatter_resolved(*equations_, here_.tangent)) go_on_with(std::move(*resolved));
   }
@@ -394,6 +334,56 @@ class Tracer {
   bool done_ = false, steered_before_ = false;
   TracedCurve result_;
 };
+
+// One attempt at a step: taken, or shortened.
+void Tracer::advance() {
+  constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
+  if (limits_.expired()) return finish("the time is up");
+  if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
+  auto iterations =
+      correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = near_.get()});
+  const bool lands = !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
+  if (!iterations) return shorten(0.4);
+  if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
+  const auto target = followed_.target(limits_.at, *equations_, here_.x);
+  const bool beyond = target ? target->leaves : lands;
+  if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
+  const auto factors = factors_at(*equations_, here_.tangent);
+  const auto tangent = factors ? factors->tangent() : tangent_of(*equations_, here_.tangent);
+  const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(StepRules::kTurned);
+  if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
+  if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
+    return shorten(0.5);
+  Station next = station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands),
+                            factors.get());
+  if (rejects(next)) return reject();
+  if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
+  const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
+  if (crossing && rejects(next)) return reject();
+  if (unseen && (step_ > kShort || (violates(next) && !crossing))) return shorten(0.5);
+  if (unseen) note("whether a contact passes its stop between two points is not decided");
+  const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
+  if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
+  // Tests vanish too where a phase of no length begins, and at a doubling to the root of rounding.
+  constexpr double kBefore = 1.0 - 1e-6, kAtDoubling = 1e-3;  // of the step; of length
+  const double inside = std::min({step_, crossing ? kBefore * crossing->length : step_,
+                                  halved ? std::max(0.0, *halved - kAtDoubling) : step_});
+  StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
+  const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
+  if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
+  if (met.undecided) note("a bifurcation is not located");
+  if (hides && !met.undecided) note("two bifurcations may be one");
+  for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
+  if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
+  if (crossing) return end_at(*crossing);
+  // Next to the start all orbits are the same to rounding.
+  if (start_.leaves == LeftBranch::none && travelled_ > StepRules::kFirst &&
+      passes(*equations_, here_.x, next.x, start_.orbit))
+    return close();
+  near_ = factors;
+  accept(std::move(next), *iterations);
+  if (beyond && !done_) finish(std::string(kEndOfInterval));
+}
 
 }  // namespace
 

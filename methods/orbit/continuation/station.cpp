@@ -154,8 +154,7 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
   constexpr double kReach = 0.05;     // of the step: of a branch point located to the root of rounding
   constexpr double kUnscaled = 1e-4;  // determinants of many equations are small wherever they are
   StepBifurcations result;
-  for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
-                                 SpecialKind::branch_point, SpecialKind::phase_resonance}) {
+  for (const SpecialKind kind : BifurcationTests::kKinds) {
     const auto &before = begin.tests.of(kind), &after = end.tests.of(kind);
     if (!before || !after || !(*before * *after < 0.0)) continue;
     const bool determinant = kind == SpecialKind::branch_point || kind == SpecialKind::period_doubling;

@@ -20,8 +20,8 @@ double equation_of(const SequenceEvent& event, const LinearArc& arc, double gap,
 
 std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const SequencedOrbit& orbit,
                                               const CurveUnits& units, const Eigen::VectorXd& x) {
-  constexpr double kFarthest = 0.2, kShort = 0.05, kSame = 1e-9;  // rad
-  constexpr double kSameFlight = 1e-3;                            // of a short flight
+  constexpr double kFarthest = 0.2, kShort = 0.05;  // rad
+  constexpr double kSameFlight = 1e-3;              // of a short flight
   const FlowStructure& structure = model.dynamics.structure();
   const double omega = structure.frequency;
   const Eigen::Index states = model.dynamics.states();
@@ -46,12 +46,13 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
                            equation_of(event, *arc, structure.gaps[j], t, 1)};
     };
     // To a tolerance that rounding of a slow approach may need.
-    const auto at = newton_zero_near(distance, {.guess = guess,
-                                                .reach = brief ? 0.5 * flight : kFarthest / omega,
-                                                .accepted = brief ? kSameFlight * flight : kSame / omega});
+    const auto at =
+        newton_zero_near(distance, {.guess = guess,
+                                    .reach = brief ? 0.5 * flight : kFarthest / omega,
+                                    .accepted = brief ? kSameFlight * flight : kTogether / omega});
     // Those of one instant come in either order to rounding.
     const bool other = i > 0 && orbit.event(i - 1).contact != j;
-    if (!at || !(*at > time - (other ? kSame / omega : 0.0))) return std::nullopt;
+    if (!at || !(*at > time - (other ? kTogether / omega : 0.0))) return std::nullopt;
     time = *at;
     phases[i] = time * omega - orbit.section;
     shift = phases[i] - x[states + i];

@@ -163,17 +163,17 @@ class Surveyor {
 
   void arc(Eigen::Index part, int j, double begin, double end) {
     const LinearArc& arc = equations_.arc(part);
-    constexpr double kUnseen = 1e-13;  // share of X: modes below do not move an extreme
+    constexpr double kUnseen = 1e-13;  // share of X: rounding, and modes that do not move an extreme
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen);
     const bool closed = arc.mode().closed(j);
     const double gap = dynamics_.structure().gaps[j];
     const LimitedOutput x{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
-    constexpr double kBeside = 1e-4, kRounding = 1e-13;  // rad; of X
+    constexpr double kBeside = 1e-4;  // rad
     const double resting = leaves_rest(part, j) ? begin + kBeside / equations_.frequency() : begin;
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
       result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
       result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
-      if (at.maximum && !closed && !(at.time < resting && std::abs(at.value) < kRounding))
+      if (at.maximum && !closed && !(at.time < resting && std::abs(at.value) < kUnseen))
         lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time), part);
     }
     if (!closed) return;
