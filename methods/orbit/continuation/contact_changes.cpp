@@ -86,8 +86,7 @@ ChangeOfSequence begin_phase(OrbitFamily& family, const SequencedOrbit& orbit, c
 ChangeOfSequence begin_phases(OrbitFamily& family, const SequencedOrbit& orbit,
                               const ExtendedEquations& equations) {
   SequencedOrbit with_phases = orbit;
-  for (const GuardMaximum& maximum : survey(equations).maxima) {
-    const OrbitGuard& guard = maximum.guard;
+  for (const GuardMaximum& guard : survey(equations).maxima) {
     const bool touch = guard.kind == GuardKind::clearance || guard.kind == GuardKind::pressure;
     if (touch && guard.value < kTouches && !equations.model().dynamics.rigid(guard.index))
       with_phases = with_contact_phase(with_phases, guard.index, guard.phase);

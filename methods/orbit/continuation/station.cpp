@@ -275,9 +275,9 @@ class DipSearch {
     };
     const auto &first = a.station->tracked, &second = b.station->tracked;
     for (const TrackedGuard& guard : first) {
-      GuardCubic cubic{.value = guard.guard.guard.value, .slope = h * slope(guard, *a.station)};
+      GuardCubic cubic{.value = guard.value, .slope = h * slope(guard, *a.station)};
       if (const TrackedGuard* other = counterpart(guard, first, second)) {
-        cubic.last = other->guard.guard.value;
+        cubic.last = other->value;
         cubic.last_slope = h * slope(*other, *b.station);
         consider(cubic, cubic.lowest());
       } else if (!left_by_an_event(cubic.value)) {
@@ -285,7 +285,7 @@ class DipSearch {
       }
     }
     for (const TrackedGuard& guard : second) {
-      const double value = guard.guard.guard.value;
+      const double value = guard.value;
       if (left_by_an_event(value) || counterpart(guard, second, first) != nullptr) continue;
       consider({.last = value}, {.at = 0.5, .bound = value - h * slope(guard, *b.station)});
     }

@@ -55,14 +55,14 @@ class Surveyor {
   }
   // Of several maxima of one contact the largest is the guard.
   void lower(GuardKind kind, int index, double value, double phase, Eigen::Index part) {
-    result_.maxima.push_back(
-        {.guard = {.kind = kind, .index = index, .value = value, .phase = phase}, .part = part});
+    const OrbitGuard found{.kind = kind, .index = index, .value = value, .phase = phase};
+    result_.maxima.push_back({found, part});
     for (OrbitGuard& guard : result_.guards) {
-      if (guard.kind != kind || guard.index != index) continue;
-      if (value < guard.value) guard = {.kind = kind, .index = index, .value = value, .phase = phase};
+      if (!guard.same(found)) continue;
+      if (value < guard.value) guard = found;
       return;
     }
-    add(kind, index, value, phase);
+    result_.guards.push_back(found);
   }
 
   void events(bool with_corners) {
@@ -221,11 +221,11 @@ std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations) {
 
 double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum) {
   const LinearArc& arc = equations.arc(maximum.part);
-  const int j = maximum.guard.index;
-  const bool corner = maximum.guard.kind == GuardKind::corner;
-  const double time = equations.time_of(corner ? equations.orbit().phase(maximum.part) : maximum.guard.phase);
+  const int j = maximum.index;
+  const bool corner = maximum.kind == GuardKind::corner;
+  const double time = equations.time_of(corner ? equations.orbit().phase(maximum.part) : maximum.phase);
   const ContactDynamics& dynamics = equations.model().dynamics;
-  if (maximum.guard.kind == GuardKind::pressure) return -arc.force(j, time) / dynamics.force_scale(j);
+  if (maximum.kind == GuardKind::pressure) return -arc.force(j, time) / dynamics.force_scale(j);
   if (corner && arc.mode().closed(j))
     return -equations.arc(maximum.part + 1).force(j, time) / dynamics.force_scale(j);
   const double gap = dynamics.structure().gaps[j];

@@ -47,9 +47,8 @@ struct OrbitGuard {
 };
 
 /// One of the maxima of which OrbitGuard has the largest: of clearance, corner or pressure.
-struct GuardMaximum {
-  OrbitGuard guard;       ///< as if it were the only one
-  Eigen::Index part = 0;  ///< the arc that it lies on, after `part` events; of a corner its event
+struct GuardMaximum : OrbitGuard {  // as if it were the only one
+  Eigen::Index part = 0;            ///< the arc that it lies on, after `part` events; of a corner its event
 };
 
 /// All test functions of an orbit, and its extremes.
