@@ -20,7 +20,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kRounding = 1e-9;  // of multipliers, products of what they lack to 1, and speeds over V
+constexpr double kMultiplierRounding =
+    1e-9;  // of multipliers, products of what they lack to 1, and speeds over V
 
 // det A over the product of the norms of its rows.
 double relative_determinant(const Eigen::MatrixXd& A) {
@@ -52,7 +53,7 @@ double product_of_the_others(const Eigen::VectorXcd& mu) {
     for (Eigen::Index k = i + 1; k > 0; --k) sums[k] += sums[k - 1] * (mu[i] - 1.0);
   }
   const double product = sums[mu.size() - 2].real();
-  return std::abs(product) < kRounding ? 0.0 : product;
+  return std::abs(product) < kMultiplierRounding ? 0.0 : product;
 }
 
 // Of a free motion all but the two nearest to 1.
@@ -294,7 +295,7 @@ OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::Vec
   for (Eigen::Index i = 0; i < equations.orbit().count(); ++i) {
     const SequenceEvent& event = equations.orbit().event(i);
     if (event.kind != ContactEvent::Kind::open && equations.model().dynamics.halts(event.contact) &&
-        std::abs(equations.speed(i)) < kRounding)
+        std::abs(equations.speed(i)) < kMultiplierRounding)
       return OrbitStability::undefined;
   }
   if (multipliers.size() == 0) return OrbitStability::undefined;
@@ -302,7 +303,7 @@ OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::Vec
   const double largest = decisive.size() == 0 ? 1.0 : decisive.cwiseAbs().maxCoeff();
   if (loses_nothing(equations))
     return largest > 1.0 + kOnCircle ? OrbitStability::unstable : OrbitStability::elliptic;
-  return largest < 1.0 - kRounding ? OrbitStability::stable : OrbitStability::unstable;
+  return largest < 1.0 - kMultiplierRounding ? OrbitStability::stable : OrbitStability::unstable;
 }
 
 }  // namespace signorini

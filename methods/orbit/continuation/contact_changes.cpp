@@ -181,7 +181,7 @@ ChangeOfSequence end_phase(OrbitFamily& family, const SequencedOrbit& orbit, Eig
 ChangeOfSequence exchange(OrbitFamily& family, const SequencedOrbit& orbit, Eigen::Index i) {
   SequencedOrbit exchanged = orbit;
   for (Eigen::Index k = 1; k < orbit.count(); ++k) {
-    const bool meet = std::abs(orbit.phase(k) - orbit.phase(k - 1)) < kTogether &&
+    const bool meet = std::abs(orbit.phase(k) - orbit.phase(k - 1)) < kSimultaneous &&
                       orbit.event(k).contact != orbit.event(k - 1).contact;
     if (k != i && !meet) continue;
     std::iter_swap(exchanged.events.begin() + k - 1, exchanged.events.begin() + k);

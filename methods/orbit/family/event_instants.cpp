@@ -49,10 +49,10 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
     const auto at =
         newton_zero_near(distance, {.guess = guess,
                                     .reach = brief ? 0.5 * flight : kFarthest / omega,
-                                    .accepted = brief ? kSameFlight * flight : kTogether / omega});
+                                    .accepted = brief ? kSameFlight * flight : kSimultaneous / omega});
     // Those of one instant come in either order to rounding.
     const bool other = i > 0 && orbit.event(i - 1).contact != j;
-    if (!at || !(*at > time - (other ? kTogether / omega : 0.0))) return std::nullopt;
+    if (!at || !(*at > time - (other ? kSimultaneous / omega : 0.0))) return std::nullopt;
     time = *at;
     phases[i] = time * omega - orbit.section;
     shift = phases[i] - x[states + i];

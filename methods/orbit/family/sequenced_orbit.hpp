@@ -54,7 +54,7 @@ State state_of(const Eigen::VectorXd& x, const ContactDynamics& dynamics, const 
 /// ended, one passage of a stop [rad]
 inline constexpr double kAtOnce = 1e-6;
 /// How far apart rounding puts events of several contacts that happen at one instant [rad]
-inline constexpr double kTogether = 1e-9;
+inline constexpr double kSimultaneous = 1e-9;
 
 /// An event with its phase after the section [rad].
 using PlacedEvent = std::pair<double, SequenceEvent>;
