@@ -153,8 +153,6 @@ LinearModeStarts linear_mode_starts(OrbitFamily& family) {
     if (auto start = start_of(family, *model, rest, r))
       result.starts.push_back({.frequency = frequency,
                                .energy = energy_of_start(*model, *start, family.units()),
-                               .lowest = open[r],
-                               .highest = held[r],
                                .start = std::move(*start)});
     else
       result.obstacle = fmt::format("how the motion of mode {} goes on at its stop is not told", r + 1);

@@ -24,10 +24,7 @@ inline constexpr std::string_view kEnergy = "energy";
 struct LinearModeStart {
   double frequency = 0.0;  ///< omega_r [rad/s]
   double energy = 0.0;     ///< there [J]
-  /// Between the frequencies of the mode of the same number with all contacts open and all held: infinite
-  /// where stops are rigid [rad/s].
-  double lowest = 0.0, highest = 0.0;
-  CurveStart start;  ///< along the way on which all impacts or phases grow alike
+  CurveStart start;        ///< along the way on which all impacts or phases grow alike
 };
 
 /// Those of free motions, and why others are none.
@@ -37,7 +34,8 @@ struct LinearModeStarts {
 };
 
 /// The starts of all nonlinear modes whose range of frequencies meets that of `family`, in whose unknowns
-/// they are.
+/// they are: the range between the frequencies of the mode of the same number with all contacts open and with
+/// all held, infinite where stops are rigid.
 ///
 /// \param family  not driven
 /// \return none where no spring holds the structure at rest, its own or that of a stop, a rigid stop is
