@@ -57,7 +57,6 @@ class PointsOfStep {
   std::vector<Known> known_;
 };
 
-// The matrix [R_x; row; C] of bordered_jacobian.
 }  // namespace
 
 Eigen::MatrixXd bordered_jacobian(const AnyEquations& equations, const Eigen::VectorXd& row) {
@@ -108,6 +107,12 @@ Eigen::VectorXd secant_step(const CurveFactors& near, const Eigen::VectorXd& res
   return step;
 }
 
+// A point of the curve, and the Newton steps that led to it.
+struct CorrectedPoint {
+  Eigen::VectorXd x;
+  int iterations = 0;
+};
+
 // Empty where the residual rises, and of equations whose unknowns are put in their places on the way.
 std::optional<CorrectedPoint> corrected_by_secants(const AnyEquations& equations,
                                                    const Eigen::VectorXd& predicted,
@@ -138,6 +143,31 @@ std::optional<CorrectedPoint> corrected_by_secants(const AnyEquations& equations
   return std::nullopt;
 }
 
+std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
+                                        const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
+  constexpr double kLost = 1e3;  // of R
+  if (limits.near != nullptr) {
+    if (auto point = corrected_by_secants(equations, predicted, tangent, limits)) return point;
+  }
+  Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
+  double before = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= limits.iterations; ++k) {
+    equations.settle(x);
+    if (!equations.evaluate(x)) return std::nullopt;
+    const double residual = equations.residual().lpNorm<Eigen::Infinity>();
+    if (!(residual < kLost)) return std::nullopt;
+    if (solved(equations, limits.tolerance, size_of(x),
+               {.residual = residual, .before = before, .step = step.lpNorm<Eigen::Infinity>(), .steps = k}))
+      return CorrectedPoint{std::move(x), k};
+    before = residual;
+    step = solve_bordered(bordered_jacobian(equations, tangent), -equations.residual(),
+                          -tangent.dot(x - predicted));
+    if (!step.allFinite()) return std::nullopt;
+    x += step;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 CurveFactors::CurveFactors(const AnyEquations& equations, const Eigen::VectorXd& row) {
@@ -164,31 +194,6 @@ double CurveFactors::relative_determinant() const {
   const Eigen::ArrayXd pivots = factors_->pivots().array();
   const double magnitude = std::exp(pivots.abs().log().sum() + std::log(along_.norm()) - norms_);
   return factors_->permutation_sign() * pivots.sign().prod() * magnitude;
-}
-
-std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
-                                        const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
-  constexpr double kLost = 1e3;  // of R
-  if (limits.near != nullptr) {
-    if (auto point = corrected_by_secants(equations, predicted, tangent, limits)) return point;
-  }
-  Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
-  double before = std::numeric_limits<double>::infinity();
-  for (int k = 0; k <= limits.iterations; ++k) {
-    equations.settle(x);
-    if (!equations.evaluate(x)) return std::nullopt;
-    const double residual = equations.residual().lpNorm<Eigen::Infinity>();
-    if (!(residual < kLost)) return std::nullopt;
-    if (solved(equations, limits.tolerance, size_of(x),
-               {.residual = residual, .before = before, .step = step.lpNorm<Eigen::Infinity>(), .steps = k}))
-      return CorrectedPoint{std::move(x), k};
-    before = residual;
-    step = solve_bordered(bordered_jacobian(equations, tangent), -equations.residual(),
-                          -tangent.dot(x - predicted));
-    if (!step.allFinite()) return std::nullopt;
-    x += step;
-  }
-  return std::nullopt;
 }
 
 std::optional<int> correct(const AnyEquations& equations, const Eigen::VectorXd& predicted,
@@ -273,13 +278,9 @@ bool turns_past(const std::vector<double>& values, double low, double high, cons
   });
 }
 
-namespace {
-
-// The same of a function that takes the point too.
-std::optional<double> located(const AnyEquations& equations, const CurveStep& step,
-                              const std::function<std::optional<double>(const Eigen::VectorXd& x)>& f,
-                              std::optional<double> first, double last) {
-  constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
+std::optional<double> locate(const AnyEquations& equations, const CurveStep& step,
+                             const std::function<std::optional<double>(const Eigen::VectorXd& x)>& f,
+                             std::optional<double> first, double last) {
   constexpr int kHalvings = 50, kIterations = 200;
   constexpr double kZero = 2e-15;                                           // of f
   constexpr double kNarrow = 4.0 * std::numeric_limits<double>::epsilon();  // of the step
@@ -327,19 +328,10 @@ std::optional<double> located(const AnyEquations& equations, const CurveStep& st
   return value(b) ? std::optional(b) : std::nullopt;
 }
 
-}  // namespace
-
-std::optional<double> locate(const AnyEquations& equations, const CurveStep& step,
-                             const std::function<std::optional<double>()>& f, std::optional<double> first,
-                             double last) {
-  return located(
-      equations, step, [&](const Eigen::VectorXd&) { return f(); }, first, last);
-}
-
 std::optional<double> length_to_parameter(const AnyEquations& equations, const CurveStep& step,
                                           const Eigen::VectorXd& end, double value) {
   const Eigen::Index last = step.x.size() - 1;
-  return located(
+  return locate(
       equations, step, [&](const Eigen::VectorXd& x) { return std::optional(x[last] - value); },
       step.x[last] - value, end[last] - value);
 }

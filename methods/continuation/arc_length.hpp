@@ -28,29 +28,17 @@ concept CurveEquations = requires(Equations& equations, const Eigen::VectorXd& x
   { equations.noise() } -> std::convertible_to<double>;
 };
 
-/// Equations that leave more than one direction free, as of motions that may begin at any phase, and of which
-/// one follows from the others for each: they hold k conditions C (x - predicted) = 0 along a step besides.
-template <class Equations>
-concept HoldsConditions = requires(const Equations& equations) {
-  // C, k x (n + 1), k = 0 included.
-  { equations.conditions() } -> std::convertible_to<Eigen::MatrixXd>;
-};
-
-/// Equations of which some unknowns follow from the others so steeply that they are put in their places
-/// before each evaluation of the corrector.
-template <class Equations>
-concept Settles = requires(Equations& equations, Eigen::VectorXd& x) {
-  equations.settle(x);
-};
-
-/// Equations whose residual is cheaper alone.
-template <class Equations>
-concept EvaluatesMotionAlone = requires(Equations& equations, const Eigen::VectorXd& x) {
-  // Takes x as `evaluate` does; the Jacobian is then that of another point.
-  { equations.evaluate_motion(x) } -> std::convertible_to<bool>;
-};
-
 /// Equations of any kind as functions, which are compiled once: those of an object that the caller keeps.
+/// Beside what all CurveEquations have, some
+///
+/// - hold conditions C (x - predicted) = 0 along a step, as they leave more than one direction free and one
+/// of
+///   them follows from the others for each, as of motions that may begin at any phase: `conditions()`, C,
+///   k x (n + 1), k = 0 included;
+/// - have unknowns that follow from the others so steeply that they are put in their places before each
+///   evaluation of the corrector: `settle(x)`;
+/// - have a residual that is cheaper alone: `evaluate_motion(x)` takes x as `evaluate` does, and the Jacobian
+///   is then that of another point.
 struct AnyEquations {
   template <CurveEquations Equations>
   requires(!std::same_as<const Equations, const AnyEquations>) AnyEquations(Equations& equations)
@@ -58,25 +46,20 @@ struct AnyEquations {
         evaluate([&](const Eigen::VectorXd& x) { return equations.evaluate(x); }),
         residual([&]() -> Eigen::VectorXd { return equations.residual(); }),
         jacobian([&]() -> Eigen::MatrixXd { return equations.jacobian(); }),
+        conditions([&] { return Eigen::MatrixXd(0, equations.size() + 1); }),
         noise([&] { return equations.noise(); }) {
-    if constexpr (Settles<Equations>) settle = [&](Eigen::VectorXd& x) { equations.settle(x); };
-    conditions = [&]() -> Eigen::MatrixXd {
-      if constexpr (HoldsConditions<Equations>)
-        return equations.conditions();
-      else
-        return Eigen::MatrixXd(0, equations.size() + 1);
-    };
-    evaluate_residual = [&](const Eigen::VectorXd& x) -> bool {
-      if constexpr (EvaluatesMotionAlone<Equations>)
-        return equations.evaluate_motion(x);
-      else
-        return equations.evaluate(x);
-    };
+    if constexpr (requires { equations.conditions(); })
+      conditions = [&]() -> Eigen::MatrixXd { return equations.conditions(); };
+    if constexpr (requires(Eigen::VectorXd x) { equations.settle(x); })
+      settle = [&](Eigen::VectorXd& x) { equations.settle(x); };
+    evaluate_residual = evaluate;
+    if constexpr (requires(Eigen::VectorXd x) { equations.evaluate_motion(x); })
+      evaluate_residual = [&](const Eigen::VectorXd& x) { return equations.evaluate_motion(x); };
   }
 
   std::function<Eigen::Index()> size;
-  std::function<void(Eigen::VectorXd& x)> settle = [](Eigen::VectorXd&) {};  ///< nothing unless they Settle
-  std::function<bool(const Eigen::VectorXd& x)> evaluate;  ///< as the concept has it, like those below
+  std::function<void(Eigen::VectorXd& x)> settle = [](Eigen::VectorXd&) {};
+  std::function<bool(const Eigen::VectorXd& x)> evaluate;           ///< as the concept has it
   std::function<bool(const Eigen::VectorXd& x)> evaluate_residual;  ///< where they can, R alone
   std::function<Eigen::VectorXd()> residual;                        ///< R
   std::function<Eigen::MatrixXd()> jacobian;                        ///< [R_x]
@@ -119,24 +102,18 @@ struct CorrectorLimits {
   const CurveFactors* near = nullptr;
 };
 
-/// A point of the curve, and the Newton steps that led to it; three secant steps count as one.
-struct CorrectedPoint {
-  Eigen::VectorXd x;
-  int iterations = 0;
-};
+/// Of points that are located.
+inline constexpr CorrectorLimits kTight{.iterations = 14, .tolerance = 1e-14};
 
-/// The point of the curve in the plane tangent . (x - predicted) = 0, by full Newton steps on [R; plane] with
-/// the Jacobian [R_x; tangent^T] and the conditions held, if any. Steps are not shortened: where Newton's
-/// method fails the caller shortens the step along the curve.
+/// To the point of the curve in the plane tangent . (x - predicted) = 0, by full Newton steps on [R; plane]
+/// with the Jacobian [R_x; tangent^T] and the conditions held, if any. Steps are not shortened: where
+/// Newton's method fails the caller shortens the step along the curve.
 ///
 /// Converged: |R| <= tolerance max(1, |x|), or no longer falling and either within a hundred times its noise
 /// or after a step of less than 1e-10 max(1, |x|).
 ///
-/// \return the point, where `equations` are left evaluated. Empty where it fails.
-std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
-                                        const Eigen::VectorXd& tangent, const CorrectorLimits& limits);
-
-/// The Newton steps of `corrected`.
+/// \return the Newton steps, three secant steps counted as one; `equations` are left evaluated at the point.
+///         Empty where it fails.
 std::optional<int> correct(const AnyEquations& equations, const Eigen::VectorXd& predicted,
                            const Eigen::VectorXd& tangent, const CorrectorLimits& limits = {});
 
@@ -200,16 +177,16 @@ struct CurveStep {
 /// own, which begins at what the ones before predict. Where f does not exist at the beginning, the step is
 /// halved until f exists with the other sign; where it never does, the zero is where it begins to exist.
 ///
-/// \param f  where the equations are evaluated; a template's takes them, std::optional<double>(Equations&)
+/// \param f  of the point at which the equations are evaluated; a template's takes these
 /// \return the length; `equations` are left evaluated there. Empty where it cannot be found.
 std::optional<double> locate(const AnyEquations& equations, const CurveStep& step,
-                             const std::function<std::optional<double>()>& f, std::optional<double> first,
-                             double last);
-template <CurveEquations Equations, class Function>
+                             const std::function<std::optional<double>(const Eigen::VectorXd& x)>& f,
+                             std::optional<double> first, double last);
+template <CurveEquations Equations, std::invocable<Equations&> Function>
 std::optional<double> locate(Equations& equations, const CurveStep& step, const Function& f,
                              std::optional<double> first, double last) {
-  return locate(
-      AnyEquations(equations), step, [&] { return f(equations); }, first, last);
+  const auto at = [&](const Eigen::VectorXd&) -> std::optional<double> { return f(equations); };
+  return locate(AnyEquations(equations), step, at, first, last);
 }
 
 /// The length of a step up to where the parameter, the last of the unknowns, takes a value.

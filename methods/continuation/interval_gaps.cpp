@@ -7,8 +7,7 @@ namespace signorini {
 std::vector<ParameterRange> uncovered(std::vector<ParameterRange> held, double from, double to) {
   constexpr double kNarrow = 1e-6;  // of the interval
   const double low = std::min(from, to), high = std::max(from, to), narrow = kNarrow * (high - low);
-  std::sort(held.begin(), held.end(),
-            [](const ParameterRange& a, const ParameterRange& b) { return a.low < b.low; });
+  std::ranges::sort(held, {}, &ParameterRange::low);
   held.push_back({high, high});
   std::vector<ParameterRange> gaps;
   double reached = low;

@@ -1,6 +1,7 @@
 #pragma once
 // What curves leave out of an interval of their parameter.
 
+#include <algorithm>
 #include <vector>
 
 namespace signorini {
@@ -14,12 +15,9 @@ struct ParameterRange {
 /// Of the points of a branch, which has some.
 template <class AnyBranch>
 ParameterRange range_of(const AnyBranch& branch) {
-  ParameterRange range{branch.points.front().parameter, branch.points.front().parameter};
-  for (const auto& point : branch.points) {
-    if (point.parameter < range.low) range.low = point.parameter;
-    if (point.parameter > range.high) range.high = point.parameter;
-  }
-  return range;
+  const auto value = [](const auto& point) { return point.parameter; };
+  const auto [least, most] = std::ranges::minmax_element(branch.points, {}, value);
+  return {least->parameter, most->parameter};
 }
 
 /// The parts of an interval that lie in none of the ranges, rising; those narrower than 1e-6 of it are none.

@@ -6,6 +6,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,8 @@ namespace {
 
 // A smaller order whose residual is within this factor of an accepted one cannot be told from noise.
 constexpr double kClear = 1e3;
+
+constexpr std::size_t kTurns = 4;  // of the motion that are remembered and must agree
 
 // Distance of a phase from the nearest of the events, on the circle of one forcing period.
 double nearest_event(const std::vector<ContactEvent>& events, double phase, double period) {
@@ -70,6 +73,35 @@ std::optional<Eigen::VectorXd> beside_unstable(const FixedPoint& orbit, const Ei
   return fixed + kPush * modes.vectors.col(fastest).real().normalized();
 }
 
+// In the basis of the eigenvectors a linear map with multipliers inside the unit circle shrinks every
+// distance; the states marched must do so too, at least by a third of what the slowest multiplier promises.
+bool contracts_to(const FixedPoint& orbit, const Eigen::VectorXd& fixed,
+                  const std::deque<Eigen::VectorXd>& past, double accepted) {
+  constexpr double kShare = 1.0 / 3.0;
+  constexpr double kIllConditioned = 1e8;
+  Eigen::MatrixXcd to_modes = Eigen::MatrixXcd::Identity(fixed.size(), fixed.size());
+  const GeneralEigen modes = general_eigen(orbit.monodromy);
+  if (modes.converged) {
+    const CompleteComplexLuFactors lu(modes.vectors);
+    if (lu.reciprocal_condition() * kIllConditioned > 1.0) to_modes = lu.inverse();
+  }
+  std::vector<double> distance;
+  for (const Eigen::VectorXd& state : past) {
+    const Eigen::VectorXd offset = state - fixed;
+    const double length = offset.lpNorm<Eigen::Infinity>();
+    // At the noise of the integration nothing shrinks any more.
+    distance.push_back(length <= accepted ? 0.0 : (to_modes * offset).norm());
+  }
+  const double factor = 1.0 - kShare * (1.0 - largest_magnitude(orbit.multipliers));
+  const auto p = static_cast<std::size_t>(orbit.order);
+  const std::size_t turns = std::min((distance.size() - 1) / p, kTurns);
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    const std::size_t i = distance.size() - 1 - turn * p;
+    if (distance[i] > factor * distance[i - p]) return false;
+  }
+  return turns == kTurns;
+}
+
 // Marching with its memory of the last states, newest last.
 class March {
  public:
@@ -79,38 +111,9 @@ class March {
     remember();
   }
 
-  FixedPoint run() {
-    constexpr long kShortest = 4, kLongest = 64;  // periods between two proposals
-    long pause = kShortest, next = kShortest;
-    while (marched_ < options_.max_iterations) {
-      step();
-      if (marched_ >= next) {
-        const long before = map_.periods();
-        if (auto found = propose()) return *found;
-        // Newton's method costs several periods: the more often it was asked in vain, the longer it rests.
-        const bool asked = map_.periods() > before;
-        pause = asked ? std::min(2 * pause, kLongest) : kShortest;
-        next = asked ? marched_ + pause : marched_ + 1;
-        if (asked || marched_ % kLongest == 0) leave_events();
-      }
-      if (auto found = settled()) return *found;
-    }
-    int order = 1;
-    for (int candidate = 2; candidate <= options_.max_order; ++candidate) {
-      if (repeat(candidate) < repeat(order)) order = candidate;
-    }
-    return {.message =
-                fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
-                            marched_, options_.max_order, order, repeat(order)),
-            .start = state_,
-            .order = order,
-            .residual = repeat(order),
-            .iterations = map_.periods()};
-  }
+  FixedPoint run();
 
  private:
-  static constexpr std::size_t kTurns = 4;  // of the motion that are remembered and must agree
-
   void remember() {
     past_.push_back(map_.scaled(state_.state));
     if (past_.size() > (kTurns + 1) * static_cast<std::size_t>(options_.max_order) + 1) past_.pop_front();
@@ -161,35 +164,6 @@ class March {
     return ratio < 1.0 && last * ratio / (1.0 - ratio) <= kRest * options_.accepted();
   }
 
-  // In the basis of the eigenvectors a linear map with multipliers inside the unit circle shrinks every
-  // distance; the states marched must do so too, at least by a third of what the slowest multiplier promises.
-  [[nodiscard]] bool contracts_to(const FixedPoint& orbit) const {
-    constexpr double kShare = 1.0 / 3.0;
-    constexpr double kIllConditioned = 1e8;
-    const Eigen::VectorXd fixed = map_.scaled(orbit.start.state);
-    Eigen::MatrixXcd to_modes = Eigen::MatrixXcd::Identity(fixed.size(), fixed.size());
-    const GeneralEigen modes = general_eigen(orbit.monodromy);
-    if (modes.converged) {
-      const CompleteComplexLuFactors lu(modes.vectors);
-      if (lu.reciprocal_condition() * kIllConditioned > 1.0) to_modes = lu.inverse();
-    }
-    std::vector<double> distance;
-    for (const Eigen::VectorXd& state : past_) {
-      const Eigen::VectorXd offset = state - fixed;
-      const double length = offset.lpNorm<Eigen::Infinity>();
-      // At the noise of the integration nothing shrinks any more.
-      distance.push_back(length <= options_.accepted() ? 0.0 : (to_modes * offset).norm());
-    }
-    const double factor = 1.0 - kShare * (1.0 - largest_magnitude(orbit.multipliers));
-    const auto p = static_cast<std::size_t>(orbit.order);
-    const std::size_t turns = std::min((distance.size() - 1) / p, kTurns);
-    for (std::size_t turn = 0; turn < turns; ++turn) {
-      const std::size_t i = distance.size() - 1 - turn * p;
-      if (distance[i] > factor * distance[i - p]) return false;
-    }
-    return turns == kTurns;
-  }
-
   // Newton's method from the present state, for the orders at which it nearly repeats.
   std::optional<FixedPoint> propose() {
     constexpr int kTries = 3;
@@ -206,7 +180,9 @@ class March {
       ++tries;
       FixedPoint orbit = find_fixed_point(map_, state_, order, newton, expired_);
       if (orbit.converged && leaves(orbit)) return std::nullopt;
-      if (!orbit.converged || !(largest_magnitude(orbit.multipliers) < 1.0) || !contracts_to(orbit)) continue;
+      if (!orbit.converged || !(largest_magnitude(orbit.multipliers) < 1.0) ||
+          !contracts_to(orbit, map_.scaled(orbit.start.state), past_, options_.accepted()))
+        continue;
       const auto smallest = order_when_marched_on(map_, orbit, options_.accepted());
       if (!smallest) continue;
       // The matrix of more periods than the motion's own is a power of its monodromy matrix.
@@ -272,6 +248,33 @@ class March {
   int moves_ = 0;
 };
 
+FixedPoint March::run() {
+  constexpr long kShortest = 4, kLongest = 64;  // periods between two proposals
+  long pause = kShortest, next = kShortest;
+  while (marched_ < options_.max_iterations) {
+    step();
+    if (marched_ >= next) {
+      const long before = map_.periods();
+      if (auto found = propose()) return *found;
+      // Newton's method costs several periods: the more often it was asked in vain, the longer it rests.
+      const bool asked = map_.periods() > before;
+      pause = asked ? std::min(2 * pause, kLongest) : kShortest;
+      next = asked ? marched_ + pause : marched_ + 1;
+      if (asked || marched_ % kLongest == 0) leave_events();
+    }
+    if (auto found = settled()) return *found;
+  }
+  const int order = std::ranges::min(std::views::iota(1, std::max(1, options_.max_order) + 1), {},
+                                     [&](int candidate) { return repeat(candidate); });
+  return {.message =
+              fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
+                          marched_, options_.max_order, order, repeat(order)),
+          .start = state_,
+          .order = order,
+          .residual = repeat(order),
+          .iterations = map_.periods()};
+}
+
 }  // namespace
 
 double PeriodicMotionOptions::accepted() const {
@@ -283,16 +286,10 @@ void move_to_quiet_phase(PeriodMap& map, FlowState& state, const std::vector<Con
   if (events.empty()) return;
   const double period = map.forcing_period();
   constexpr int kCandidates = 64;
-  double best = state.time, clearance = -1.0;
-  for (int i = 0; i < kCandidates; ++i) {
-    const double phase = period * i / kCandidates;
-    const double distance = nearest_event(events, phase, period);
-    if (distance > clearance) {
-      clearance = distance;
-      best = phase;
-    }
-  }
-  double wait = std::fmod(best - state.time + period, period);
+  const auto phase = [&](int i) { return period * i / kCandidates; };
+  const double best = phase(std::ranges::max(std::views::iota(0, kCandidates), {},
+                                             [&](int i) { return nearest_event(events, phase(i), period); }));
+  const double wait = std::fmod(best - state.time + period, period);
   if (wait <= 0.0) return;
   FlowRecord record;
   map.flow().advance(state, wait, record);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <vector>
 
 #include "methods/flow/impact_groups.hpp"
@@ -18,6 +19,9 @@ namespace signorini {
 namespace {
 
 using Complex = std::complex<double>;
+
+constexpr double kMultiplierRounding =
+    1e-9;  // of multipliers, products of what they lack to 1, and speeds over V
 
 // det A over the product of the norms of its rows.
 double relative_determinant(const Eigen::MatrixXd& A) {
@@ -48,31 +52,28 @@ double product_of_the_others(const Eigen::VectorXcd& mu) {
   for (Eigen::Index i = 0; i < mu.size(); ++i) {
     for (Eigen::Index k = i + 1; k > 0; --k) sums[k] += sums[k - 1] * (mu[i] - 1.0);
   }
-  constexpr double kRounding = 1e-9;
   const double product = sums[mu.size() - 2].real();
-  return std::abs(product) < kRounding ? 0.0 : product;
+  return std::abs(product) < kMultiplierRounding ? 0.0 : product;
 }
 
-}  // namespace
-
+// Of a free motion all but the two nearest to 1.
 Eigen::VectorXcd decisive_multipliers(const ExtendedEquations& equations,
                                       const Eigen::VectorXcd& multipliers) {
   if (equations.family().driven() || multipliers.size() < 2) return multipliers;
   std::vector<Complex> sorted(multipliers.begin(), multipliers.end());
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Complex& a, const Complex& b) { return std::abs(a - 1.0) > std::abs(b - 1.0); });
+  std::ranges::sort(sorted, std::greater<>(), [](const Complex& mu) { return std::abs(mu - 1.0); });
   return Eigen::VectorXcd::Map(sorted.data(), multipliers.size() - 2);
 }
+
+}  // namespace
 
 bool loses_nothing(const ExtendedEquations& equations) {
   const FlowStructure& structure = equations.model().dynamics.structure();
   if (structure.damping.nonZeros() > 0 && structure.damping.norm() > 0.0) return false;
   if (structure.relaxing() > 0 && !equations.orbit().events.empty()) return false;  // by damped stops
-  return std::all_of(equations.orbit().events.begin(), equations.orbit().events.end(),
-                     [](const SequenceEvent& event) {
-                       return std::all_of(event.restitution.begin(), event.restitution.end(),
-                                          [](double e) { return e == 1.0; });
-                     });
+  return std::ranges::all_of(equations.orbit().events, [](const SequenceEvent& event) {
+    return std::ranges::all_of(event.restitution, [](double e) { return e == 1.0; });
+  });
 }
 
 namespace {
@@ -188,8 +189,6 @@ double doubling_test(ExtendedEquations& equations) {
   return relative_determinant(doubled);
 }
 
-constexpr Eigen::Index kMany = 64;  // states: the largest multipliers are cheaper than a determinant
-
 // The same by the multipliers, det J_-1 = det dh/dtheta det(M + 1): of those that are not given, as they lie
 // well inside the circle, the factors are positive. An event depends on those before it alone.
 double doubling_product(ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
@@ -208,7 +207,7 @@ BifurcationTests multipliers_at(const ExtendedEquations& equations, MultiplierRa
   const Eigen::MatrixXd M = equations.monodromy();
   if (M.size() == 0 || !M.allFinite()) return {};
   const bool decide = equations.family().driven() && !loses_nothing(equations);  // else all of them do
-  if (range == MultiplierRange::leading && M.rows() >= kMany && decide) {
+  if (range == MultiplierRange::leading && M.rows() >= kManyStates && decide) {
     BifurcationTests tests{.multipliers = leading_eigenvalues(M, kKnown), .leading = true};
     const Eigen::Index count = tests.multipliers.size();
     const double least = count == 0 ? 1.0 : std::abs(tests.multipliers[count - 1]);
@@ -222,7 +221,7 @@ std::optional<double> test_of(ExtendedEquations& equations, const Eigen::VectorX
   const bool driven = equations.family().driven(), known = multipliers.size() > 0;
   if (kind == SpecialKind::fold && (driven || !known)) return tangent[equations.size()];
   if (kind == SpecialKind::fold) return product_of_the_others(multipliers);
-  if (kind == SpecialKind::period_doubling && known && equations.orbit().states() >= kMany)
+  if (kind == SpecialKind::period_doubling && known && equations.orbit().states() >= kManyStates)
     return doubling_product(equations, multipliers);
   if (kind == SpecialKind::period_doubling) return doubling_test(equations);
   if (kind == SpecialKind::branch_point && driven)
@@ -254,7 +253,7 @@ std::optional<double> bifurcation_test(ExtendedEquations& equations, const Eigen
                                        SpecialKind kind) {
   const bool needed = kind == SpecialKind::neimark_sacker ||
                       (kind == SpecialKind::fold && !equations.family().driven()) ||
-                      (kind == SpecialKind::period_doubling && equations.orbit().states() >= kMany);
+                      (kind == SpecialKind::period_doubling && equations.orbit().states() >= kManyStates);
   return test_of(equations, tangent, kind,
                  needed ? multipliers_at(equations, MultiplierRange::all).multipliers : Eigen::VectorXcd());
 }
@@ -270,8 +269,7 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
     return continuous;
   }
   BifurcationTests tests = multipliers_at(equations, range);
-  for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
-                                 SpecialKind::branch_point, SpecialKind::phase_resonance})
+  for (const SpecialKind kind : BifurcationTests::kKinds)
     tests.values[slot(kind)] = factors != nullptr && kind == SpecialKind::branch_point
                                    ? factors->relative_determinant()
                                    : test_of(equations, tangent, kind, tests.multipliers);
@@ -280,25 +278,24 @@ BifurcationTests bifurcation_tests(ExtendedEquations& equations, const Eigen::Ve
 
 bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
   constexpr double kDoubling = 1e-4;  // a double -1 of a motion without loss is known to the root of rounding
-  constexpr double kOnCircle = 1e-5, kComplex = 1e-6, kOne = 1e-5;
+  constexpr double kNear = 1e-5, kComplex = 1e-6;
   const auto any = [&](auto&& test) { return std::any_of(multipliers.begin(), multipliers.end(), test); };
   if (kind == SpecialKind::period_doubling)
     return any([](const Complex& mu) { return std::abs(mu + 1.0) < kDoubling; });
   if (kind == SpecialKind::neimark_sacker) {
     return any([](const Complex& mu) {
-      return std::abs(std::abs(mu) - 1.0) < kOnCircle && std::abs(mu.imag()) > kComplex;
+      return std::abs(std::abs(mu) - 1.0) < kNear && std::abs(mu.imag()) > kComplex;
     });
   }
-  return multipliers.size() == 0 || any([](const Complex& mu) { return std::abs(mu - 1.0) < kOne; });
+  return multipliers.size() == 0 || any([](const Complex& mu) { return std::abs(mu - 1.0) < kNear; });
 }
 
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
-  constexpr double kDecided = 1e-9, kOnCircle = 1e-8, kGrazing = 1e-9;
-  for (std::size_t i = 0; i < equations.orbit().events.size(); ++i) {
-    const SequenceEvent& event = equations.orbit().events[i];
+  constexpr double kOnCircle = 1e-8;
+  for (Eigen::Index i = 0; i < equations.orbit().count(); ++i) {
+    const SequenceEvent& event = equations.orbit().event(i);
     if (event.kind != ContactEvent::Kind::open && equations.model().dynamics.halts(event.contact) &&
-        std::abs(equations.equations().crossings()[i].approach) <
-            kGrazing * equations.family().units().velocity)
+        std::abs(equations.speed(i)) < kMultiplierRounding)
       return OrbitStability::undefined;
   }
   if (multipliers.size() == 0) return OrbitStability::undefined;
@@ -306,7 +303,7 @@ OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::Vec
   const double largest = decisive.size() == 0 ? 1.0 : decisive.cwiseAbs().maxCoeff();
   if (loses_nothing(equations))
     return largest > 1.0 + kOnCircle ? OrbitStability::unstable : OrbitStability::elliptic;
-  return largest < 1.0 - kDecided ? OrbitStability::stable : OrbitStability::unstable;
+  return largest < 1.0 - kMultiplierRounding ? OrbitStability::stable : OrbitStability::unstable;
 }
 
 }  // namespace signorini

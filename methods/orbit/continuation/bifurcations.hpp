@@ -37,10 +37,18 @@ struct BifurcationTests {
   /// the largest |mu|, so that no two of them, nor one of them with another one, are on the circle.
   bool leading = false;
 
+  /// Those that have test functions.
+  static constexpr std::array<SpecialKind, 5> kKinds{SpecialKind::fold, SpecialKind::period_doubling,
+                                                     SpecialKind::neimark_sacker, SpecialKind::branch_point,
+                                                     SpecialKind::phase_resonance};
   [[nodiscard]] const std::optional<double>& of(SpecialKind kind) const {
     return values[static_cast<std::size_t>(kind)];
   }
 };
+
+/// States from which on the largest multipliers are cheaper than a determinant, and secants than Newton's
+/// steps
+inline constexpr Eigen::Index kManyStates = 64;
 
 /// Which multipliers are wanted.
 enum class MultiplierRange {
@@ -90,12 +98,8 @@ Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy);
 /// phase of contact begins. Without multipliers folds and branch points are.
 bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers);
 
-/// All but the two nearest to 1 of a free motion, which are 1: it may be shifted in time, and keeps its
-/// energy.
-Eigen::VectorXcd decisive_multipliers(const ExtendedEquations& equations,
-                                      const Eigen::VectorXcd& multipliers);
-
-/// By the largest magnitude of those, to 1e-9; where neither dampers nor impacts take energy by 1e-8 on
+/// By the largest magnitude of them, but for the two nearest to 1 of a free motion, which are 1, as it may be
+/// shifted in time and keeps its energy; to 1e-9; where neither dampers nor impacts take energy by 1e-8 on
 /// either side.
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers);
 

@@ -31,11 +31,10 @@ bool begin(ExtendedEquations& equations, const CurveStart& start) {
 // Why the point after the start is no orbit of the scene, or on the curve that was to be left; else empty.
 std::string why_rejected(const ExtendedEquations& equations, const CurveStart& start, const Station& begin,
                          const Station& next) {
-  constexpr double kArmed = 1e-9;  // a guard at the start that is positive
   std::string why;
   for (const OrbitGuard& guard : next.survey.guards) {
     const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
-    if (guard.value >= kViolated || before == nullptr || before->value > kArmed) continue;
+    if (guard.value >= kViolated || before == nullptr || before->value > kTouches) continue;
     why =
         "not admissible beside its start: " + describe(guard, equations.orbit(), equations.model().dynamics);
   }
@@ -52,6 +51,15 @@ struct OtherUnknowns {
   std::string obstacle = {};
 };
 
+// The tangent is on the side of `way`, of which the entries are 0 that are no unknowns of both.
+OtherUnknowns going_on(OrbitFamily& family, const SequencedOrbit& orbit, const Eigen::VectorXd& way) {
+  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(family, orbit)};
+  if (!other.equations->evaluate(orbit.x)) return {.obstacle = "the corrector fails"};
+  other.tangent = first_tangent(*other.equations);
+  if (other.tangent.dot(way) < 0.0) other.tangent = -other.tangent;
+  return other;
+}
+
 // An event that slid over the section would make the arcs run backwards. Empty where none is near.
 std::optional<OtherUnknowns> with_section_clear(const ExtendedEquations& here,
                                                 const Eigen::VectorXd& tangent) {
@@ -61,10 +69,12 @@ std::optional<OtherUnknowns> with_section_clear(const ExtendedEquations& here,
   const double phase = quiet_phase(orbit);
   const SequencedOrbit moved = with_section(orbit, here, phase);
   if (clearance_of_section(moved) < kBetter * clearance_of_section(orbit)) return std::nullopt;
-  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(here.family(), moved)};
-  if (!other.equations->evaluate(moved.x)) return std::nullopt;
-  other.tangent = moved_tangent(*other.equations, orbit, tangent, phase);
-  return other;
+  Eigen::VectorXd way = tangent;
+  way.head(orbit.states()).setZero();
+  const auto first = tangent.begin() + orbit.states();
+  std::rotate_copy(first, first + orbit.passed(phase), first + orbit.count(), way.begin() + orbit.states());
+  OtherUnknowns other = going_on(here.family(), moved, way);
+  return other.obstacle.empty() ? std::optional(std::move(other)) : std::nullopt;
 }
 
 // Along the curve the last impacts of a chatter come to matter, or cease to. Empty where they are as before.
@@ -74,10 +84,10 @@ std::optional<OtherUnknowns> with_chatter_resolved(const ExtendedEquations& here
   if (!resolved.obstacle.empty()) return OtherUnknowns{.obstacle = std::move(resolved.obstacle)};
   if (!resolved.orbit) return std::nullopt;
   const SequencedOrbit& orbit = *resolved.orbit;
-  OtherUnknowns other{.equations = std::make_unique<ExtendedEquations>(here.family(), orbit)};
-  if (!other.equations->evaluate(orbit.x)) return OtherUnknowns{.obstacle = "the corrector fails"};
-  other.tangent = tangent_with(*other.equations, orbit.states(), tangent);
-  return other;
+  Eigen::VectorXd way = Eigen::VectorXd::Zero(orbit.x.size());
+  way.head(orbit.states()) = tangent.head(orbit.states());
+  way[way.size() - 1] = tangent[tangent.size() - 1];
+  return going_on(here.family(), orbit, way);
 }
 
 // A step along the length L of the shortest phase of contact, or break of one, that is about to end: the
@@ -93,12 +103,11 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
   double shortest = kBrief;
   Eigen::VectorXd along;
   for (Eigen::Index i = 1; i < orbit.count(); ++i) {
-    const auto later = static_cast<std::size_t>(i);
     const Eigen::Index row = orbit.states() + i;
     const double length = orbit.phase(i) - orbit.phase(i - 1);
     const double rate = here.tangent[row] - here.tangent[row - 1];
-    const int contact = orbit.events[later].contact;
-    const bool one = contact == orbit.events[later - 1].contact && !equations.model().dynamics.halts(contact);
+    const int contact = orbit.event(i).contact;
+    const bool one = contact == orbit.event(i - 1).contact && !equations.model().dynamics.halts(contact);
     if (!one || !(length < shortest) || !(-rate * kReach * refused > length)) continue;
     shortest = length;
     along = Eigen::VectorXd::Unit(here.x.size(), row - 1) - Eigen::VectorXd::Unit(here.x.size(), row);
@@ -113,10 +122,9 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
 // What the order of two impacts that come together changes beyond; else empty.
 std::string why_order_matters(const ExtendedEquations& equations, const OrbitGuard& guard) {
   if (guard.kind != GuardKind::interval) return {};
-  const std::vector<SequenceEvent>& events = equations.orbit().events;
-  const auto later = static_cast<std::size_t>(guard.index);
-  const SequenceEvent& before = events[(later + events.size() - 1) % events.size()];
-  switch (coupling_of(equations.model().dynamics.structure(), before, events[later])) {
+  const SequencedOrbit& orbit = equations.orbit();
+  const SequenceEvent& before = orbit.event((guard.index + orbit.count() - 1) % orbit.count());
+  switch (coupling_of(equations.model().dynamics.structure(), before, orbit.event(guard.index))) {
     case ImpactCoupling::mass:
       return fmt::format(": what follows {}", kDependsOnOrder);
     case ImpactCoupling::dampers:
@@ -137,10 +145,6 @@ SpecialPoint change_at(const ExtendedEquations& equations, const OrbitGuard& gua
                   why_order_matters(equations, guard)};
 }
 
-std::string note_at(std::string_view what, const Station& here, const OrbitFamily& family) {
-  return fmt::format("{} at {:.10g}", what, here.x[here.x.size() - 1] * family.units().parameter);
-}
-
 // A special point before the next point of the branch.
 void add(SpecialPoint special, OrbitGuess orbit, TracedCurve& result) {
   special.after = result.branch.points.size();
@@ -157,28 +161,14 @@ void record(LocatedBifurcation found, TracedCurve& result) {
   add(std::move(found.special), std::move(found.special_orbit), result);
 }
 
-// The equations' orbit as the next point of a branch.
-void append_point(const ExtendedEquations& equations, const Station& here, int phases, OrbitBranch& branch) {
-  branch.points.push_back(solution_point(equations, here, phases));
-  branch.orbits.push_back(orbit_at(equations));
-}
-
 // |y_0| in CurveUnits.
 double size_of_state(const SequencedOrbit& orbit) {
   return orbit.x.head(orbit.states()).lpNorm<Eigen::Infinity>();
 }
 
-// Why a curve goes on no further than its last point; else empty.
-std::string why_over(const SequencedOrbit& last, std::size_t points, int max_points) {
-  if (size_of_state(last) > kMostGrown) return kGrown;
-  if (static_cast<int>(points) >= max_points) return fmt::format("limit of {} points", max_points);
-  return {};
-}
-
 // Of many equations, which are solved by secants; else none.
 std::shared_ptr<const CurveFactors> factors_at(ExtendedEquations& equations, const Eigen::VectorXd& row) {
-  constexpr Eigen::Index kMany = 64;
-  if (equations.size() < kMany || !equations.family().driven()) return nullptr;
+  if (equations.size() < kManyStates || !equations.family().driven()) return nullptr;
   return std::make_shared<const CurveFactors>(equations, row);
 }
 
@@ -188,7 +178,7 @@ MultiplierRange range_at(std::size_t points, bool asked) {
   return asked || points % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
 }
 
-constexpr double kFirstStep = 0.01, kShort = 1e-4, kShortestStep = 1e-7;  // takes any turn; the curve ends
+constexpr double kShort = 1e-4, kShortestStep = 1e-7;  // takes any turn; the curve ends
 
 class Tracer {
  public:
@@ -199,7 +189,7 @@ class Tracer {
         followed_(family, energies),
         start_(start),
         equations_(std::make_unique<ExtendedEquations>(family, start.orbit)),
-        step_(kFirstStep * start.first_step_share) {}
+        step_(StepRules::kFirst * start.first_step_share) {}
 
   TracedCurve run() {
     result_.branch.sequence = describe_sequence(start_.orbit);
@@ -221,64 +211,20 @@ class Tracer {
 
  private:
   [[nodiscard]] CurveStep whole_step() const { return {here_.x, here_.tangent, step_}; }
-  void append() { append_point(*equations_, here_, limits_.phases, result_.branch); }
-  void note(std::string_view what) { result_.notes.push_back(note_at(what, here_, family_)); }
+  void append() {
+    result_.branch.points.push_back(solution_point(*equations_, here_, limits_.phases));
+    result_.branch.orbits.push_back(orbit_at(*equations_));
+  }
+  void note(std::string_view what) {
+    const double parameter = here_.x[here_.x.size() - 1] * family_.units().parameter;
+    result_.notes.push_back(fmt::format("{} at {:.10g}", what, parameter));
+  }
   void finish(std::string reason) {
     result_.branch.ended = std::move(reason);
     done_ = true;
   }
 
-  // One attempt at a step: taken, or shortened.
-  void advance() {
-    constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
-    if (limits_.expired()) return finish("the time is up");
-    if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
-    auto iterations =
-        correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = near_.get()});
-    const bool lands =
-        !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
-    if (!iterations) return shorten(0.4);
-    if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
-    const auto target = followed_.target(limits_.at, *equations_, here_.x);
-    const bool beyond = target ? target->leaves : lands;
-    if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
-    const auto factors = factors_at(*equations_, here_.tangent);
-    const auto tangent = factors ? factors->tangent() : tangent_of(*equations_, here_.tangent);
-    const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(StepRules::kTurned);
-    if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
-    if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
-      return shorten(0.5);
-    Station next = station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands),
-                              factors.get());
-    if (rejects(next)) return reject();
-    if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
-    const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
-    if (crossing && rejects(next)) return reject();
-    if (unseen && (step_ > kShort || (violates(next) && !crossing))) return shorten(0.5);
-    if (unseen) note("whether a contact passes its stop between two points is not decided");
-    const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
-    if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
-    // Tests vanish too where a phase of no length begins, and at a doubling to the root of rounding.
-    constexpr double kBefore = 1.0 - 1e-6, kAtDoubling = 1e-3;  // of the step; of length
-    const double inside = std::min({step_, crossing ? kBefore * crossing->length : step_,
-                                    halved ? std::max(0.0, *halved - kAtDoubling) : step_});
-    StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
-    const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
-    if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
-    if (met.undecided) note("a bifurcation is not located");
-    if (hides && !met.undecided) note("two bifurcations may be one");
-    for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
-    if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
-    if (crossing) return end_at(*crossing);
-    constexpr double kAway = 1e-2;  // of length: next to the start all orbits are the same to rounding
-    if (start_.leaves == LeftBranch::none && travelled_ > kAway &&
-        passes(*equations_, here_.x, next.x, start_.orbit))
-      return close();
-    near_ = factors;
-    accept(std::move(next), *iterations);
-    if (beyond && !done_) finish(std::string(kEndOfInterval));
-  }
-
+  void advance();
   void shorten(double factor) {
     if (unsteered_) {
       std::tie(here_, step_) = *std::exchange(unsteered_, std::nullopt);
@@ -311,9 +257,7 @@ class Tracer {
   }
 
   bool move_to(double length) {
-    if (!correct(*equations_, here_.x + length * here_.tangent, here_.tangent,
-                 {.iterations = 14, .tolerance = 1e-14}))
-      return false;
+    if (!correct(*equations_, here_.x + length * here_.tangent, here_.tangent, kTight)) return false;
     here_ = station_at(*equations_, here_.tangent);
     append();
     return true;
@@ -359,8 +303,9 @@ class Tracer {
         longest_step(limits_.step_share * kLongestStep, size_of_state(equations_->orbit()));
     step_ = std::max(next_step(step_, iterations, turn, longest), planned_);
     planned_ = 0.0;
-    std::string over = why_over(equations_->orbit(), result_.branch.points.size(), limits_.max_points);
-    if (!over.empty()) return finish(std::move(over));
+    if (size_of_state(equations_->orbit()) > kMostGrown) return finish(kGrown);
+    if (static_cast<int>(result_.branch.points.size()) >= limits_.max_points)
+      return finish(fmt::format("limit of {} points", limits_.max_points));
     if (auto moved = with_section_clear(*equations_, here_.tangent)) go_on_with(std::move(*moved));
     if (auto resolved = with_chatter_resolved(*equations_, here_.tangent)) go_on_with(std::move(*resolved));
   }
@@ -389,6 +334,56 @@ class Tracer {
   bool done_ = false, steered_before_ = false;
   TracedCurve result_;
 };
+
+// One attempt at a step: taken, or shortened.
+void Tracer::advance() {
+  constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
+  if (limits_.expired()) return finish("the time is up");
+  if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
+  auto iterations =
+      correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = near_.get()});
+  const bool lands = !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
+  if (!iterations) return shorten(0.4);
+  if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
+  const auto target = followed_.target(limits_.at, *equations_, here_.x);
+  const bool beyond = target ? target->leaves : lands;
+  if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
+  const auto factors = factors_at(*equations_, here_.tangent);
+  const auto tangent = factors ? factors->tangent() : tangent_of(*equations_, here_.tangent);
+  const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(StepRules::kTurned);
+  if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
+  if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
+    return shorten(0.5);
+  Station next = station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands),
+                            factors.get());
+  if (rejects(next)) return reject();
+  if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
+  const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
+  if (crossing && rejects(next)) return reject();
+  if (unseen && (step_ > kShort || (violates(next) && !crossing))) return shorten(0.5);
+  if (unseen) note("whether a contact passes its stop between two points is not decided");
+  const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
+  if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
+  // Tests vanish too where a phase of no length begins, and at a doubling to the root of rounding.
+  constexpr double kBefore = 1.0 - 1e-6, kAtDoubling = 1e-3;  // of the step; of length
+  const double inside = std::min({step_, crossing ? kBefore * crossing->length : step_,
+                                  halved ? std::max(0.0, *halved - kAtDoubling) : step_});
+  StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
+  const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
+  if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
+  if (met.undecided) note("a bifurcation is not located");
+  if (hides && !met.undecided) note("two bifurcations may be one");
+  for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
+  if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
+  if (crossing) return end_at(*crossing);
+  // Next to the start all orbits are the same to rounding.
+  if (start_.leaves == LeftBranch::none && travelled_ > StepRules::kFirst &&
+      passes(*equations_, here_.x, next.x, start_.orbit))
+    return close();
+  near_ = factors;
+  accept(std::move(next), *iterations);
+  if (beyond && !done_) finish(std::string(kEndOfInterval));
+}
 
 }  // namespace
 

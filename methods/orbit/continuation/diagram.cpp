@@ -21,15 +21,21 @@ namespace signorini {
 namespace {
 
 bool contains(const std::vector<OrbitMark>& marks, const OrbitMark& mark, bool loosely = false) {
-  return std::any_of(marks.begin(), marks.end(),
-                     [&](const OrbitMark& other) { return mark.same(other, loosely); });
+  return std::ranges::any_of(marks, [&](const OrbitMark& other) { return mark.same(other, loosely); });
+}
+
+// Whether there is no such mark among those so far; it is one of them then.
+bool is_new(const OrbitMark& mark, std::vector<OrbitMark>& known, bool loosely = false) {
+  if (contains(known, mark, loosely)) return false;
+  known.push_back(mark);
+  return true;
 }
 
 // A branch ends where another one is to start.
 bool is_among(const std::vector<OrbitMark>& ends, const OrbitMark& mark, const CurveStart& start) {
   // The branch that was left ends at this very orbit, with its events the other way round.
   if (start.exchanges)
-    return std::any_of(ends.begin(), ends.end(), [&](const OrbitMark& end) {
+    return std::ranges::any_of(ends, [&](const OrbitMark& end) {
       return mark.same(end) && mark.order_of_events == end.order_of_events;
     });
   // A doubled branch ends beside its doubling, not at it.
@@ -52,6 +58,15 @@ OrbitBranch joined(OrbitBranch backward, const OrbitBranch& forward) {
   for (std::size_t i = specials; i < backward.special.size(); ++i) backward.special[i].after += half - 1;
   backward.began = std::exchange(backward.ended, forward.ended);
   return backward;
+}
+
+// What the halves of a curve from one orbit are, of which one at least is not rejected.
+std::vector<OrbitBranch> branches_of(const TracedCurve& forward, const TracedCurve& backward) {
+  if (!backward.rejected.empty()) return {forward.branch};
+  if (!forward.rejected.empty()) return {backward.branch};
+  // Impacts of one instant at the start, in either order.
+  if (forward.branch.sequence != backward.branch.sequence) return {backward.branch, forward.branch};
+  return {joined(backward.branch, forward.branch)};
 }
 
 // A value in the widest part of the interval that no branch reaches, which is noted with those asked before;
@@ -97,15 +112,11 @@ class DiagramTracer {
 
   OrbitDiagram run(const std::vector<SequencedOrbit>& seeds, const OrbitsAt& more,
                    const std::vector<CurveStart>& starts) {
-    for (const CurveStart& start : starts) {
-      if (queue_.is_over()) break;
-      follow(start);
-    }
+    for (const CurveStart& start : starts)
+      if (!queue_.is_over()) follow(start);
     // The interval first: what begins on the way may be a cascade that has no end.
-    for (const SequencedOrbit& seed : seeds) {
-      if (queue_.is_over()) break;
-      add_seed(seed);
-    }
+    for (const SequencedOrbit& seed : seeds)
+      if (!queue_.is_over()) add_seed(seed);
     if (more) fill(more);
     while (auto start = queue_.next()) {
       if (start->leaves != LeftBranch::crossing && is_an_end(*start)) continue;
@@ -147,12 +158,8 @@ class DiagramTracer {
     if (violates(station_at(equations, tangent))) return;  // no motion of the scene
     const std::string origin = fmt::format("start at {:.10g}", equations.parameter());
     const auto half = [&](double sign) {
-      return trace_curve(
-          family_,
-          in_order_along(
-              family_,
-              {.orbit = orbit, .tangent = sign * tangent, .origin = origin, .leaves = LeftBranch::none}),
-          limits_, energies_);
+      const CurveStart start{.orbit = orbit, .tangent = sign * tangent, .origin = origin};
+      return trace_curve(family_, in_order_along(family_, start), limits_, energies_);
     };
     const TracedCurve forward = half(1.0);
     if (forward.closes) {
@@ -162,18 +169,9 @@ class DiagramTracer {
     const TracedCurve backward = half(-1.0);
     if (!forward.rejected.empty() && !backward.rejected.empty())
       return note(origin + ": " + forward.rejected);
-    const auto usable = [](const TracedCurve& curve) { return curve.rejected.empty(); };
-    if (usable(forward) && usable(backward) && forward.branch.sequence != backward.branch.sequence) {
-      queue_.keep(backward.branch);  // impacts of one instant at the start, in either order
-      queue_.keep(forward.branch);
-    } else {
-      queue_.keep(!usable(backward)  ? forward.branch
-                  : !usable(forward) ? backward.branch
-                                     : joined(backward.branch, forward.branch));
-    }
-    for (const TracedCurve* curve : {&forward, &backward}) {
-      if (usable(*curve)) leave(*curve);
-    }
+    for (OrbitBranch& branch : branches_of(forward, backward)) queue_.keep(std::move(branch));
+    if (forward.rejected.empty()) leave(forward);
+    if (backward.rejected.empty()) leave(backward);
   }
 
   // An orbit of a branch that has been traced.
@@ -186,21 +184,24 @@ class DiagramTracer {
           chatter_ends(equations).empty())
         continue;
       for (const SequencedOrbit& orbit : orbits_at(family_, branch, equations.parameter())) {
-        ExtendedEquations there(family_, orbit);
-        if (there.evaluate(orbit.x) && mark_of(there).same(mark)) return true;
+        const auto there = mark_at(orbit);
+        if (there && there->same(mark)) return true;
       }
     }
     return false;
   }
 
+  std::optional<OrbitMark> mark_at(const SequencedOrbit& orbit) {
+    ExtendedEquations equations(family_, orbit);
+    return equations.evaluate(orbit.x) ? std::optional(mark_of(equations)) : std::nullopt;
+  }
   // A branch that has been traced ends here, or began.
   bool is_an_end(const CurveStart& start) {
-    ExtendedEquations equations(family_, start.orbit);
-    return equations.evaluate(start.orbit.x) && is_among(ends_, mark_of(equations), start);
+    const auto mark = mark_at(start.orbit);
+    return mark && is_among(ends_, *mark, start);
   }
   void end_here(const SequencedOrbit& orbit) {
-    ExtendedEquations equations(family_, orbit);
-    if (equations.evaluate(orbit.x)) ends_.push_back(mark_of(equations));
+    if (auto mark = mark_at(orbit)) ends_.push_back(std::move(*mark));
   }
 
   void follow(const CurveStart& start) {
@@ -217,11 +218,8 @@ class DiagramTracer {
   }
 
   void double_period(const SequencedOrbit& orbit) {
-    ExtendedEquations equations(family_, orbit);
-    if (!equations.evaluate(orbit.x)) return;
-    const OrbitMark mark = mark_of(equations);
-    if (contains(doubled_, mark)) return;
-    doubled_.push_back(mark);
+    const auto mark = mark_at(orbit);
+    if (!mark || !is_new(*mark, doubled_)) return;
     if (2 * orbit.order > limits_.max_order) {
       ++too_long_;
       return;
@@ -240,27 +238,22 @@ class DiagramTracer {
     const OrbitMark end = mark_of(equations);
     ends_.push_back(end);
     if (is_grazing(*curve.guard, equations)) return graze(curve, end);
-    if (contains(changed_, end)) return;
-    changed_.push_back(end);
+    if (!is_new(end, changed_)) return;
     ChangeOfSequence change = past_change(family_, curve);
     if (!change.start) return note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
     queue_.add(std::move(*change.start));
   }
 
   void cross(const SequencedOrbit& orbit, const Eigen::VectorXd& across) {
-    ExtendedEquations equations(family_, orbit);
-    if (!equations.evaluate(orbit.x)) return;
-    const OrbitMark mark = mark_of(equations);
-    if (contains(crossed_, mark, true)) return;
-    crossed_.push_back(mark);
+    const auto mark = mark_at(orbit);
+    if (!mark || !is_new(*mark, crossed_, true)) return;
     for (CurveStart& start : start_crossing(family_, orbit, across)) queue_.add(std::move(start));
   }
 
   void graze(const TracedCurve& curve, const OrbitMark& end) {
     const auto grazing = grazing_orbit(family_, curve);
     if (!grazing) return note("a grazing orbit cannot be evaluated");
-    if (contains(grazings_, grazing->mark)) return;
-    grazings_.push_back(grazing->mark);
+    if (!is_new(grazing->mark, grazings_)) return;
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
     if (!family_.driven() && grazing->base.events.empty())
       return note(fmt::format("{}: {}", where, kLinearMode));

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "methods/continuation/arc_length.hpp"
-#include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/family/orbit_section.hpp"
 
 namespace signorini {
@@ -21,13 +20,10 @@ constexpr double kGrazes = 1e-8;  // of X and V
 // The orbit without the impacts that fade, or why they cannot be left out.
 std::string leave_out_impacts(SequencedOrbit& orbit, const ExtendedEquations& equations) {
   for (Eigen::Index i = orbit.count() - 1; i >= 0; --i) {
-    const auto index = static_cast<std::size_t>(i);
-    const double speed =
-        equations.equations().crossings()[index].approach / equations.family().units().velocity;
-    const SequenceEvent& event = orbit.events[index];
-    if (event.kind == ContactEvent::Kind::open || speed >= kGrazes) continue;
+    const SequenceEvent& event = orbit.event(i);
+    if (event.kind == ContactEvent::Kind::open || equations.speed(i) >= kGrazes) continue;
     if (event.kind != ContactEvent::Kind::impact) {  // at a damped stop it has opened at once
-      const bool opens = i + 1 < orbit.count() && orbit.events[index + 1].contact == event.contact;
+      const bool opens = i + 1 < orbit.count() && orbit.event(i + 1).contact == event.contact;
       if (!opens || equations.model().dynamics.rigid(event.contact)) return "a closing fades with it";
       orbit = without_event(orbit, i + 1);
     }
@@ -39,7 +35,7 @@ std::string leave_out_impacts(SequencedOrbit& orbit, const ExtendedEquations& eq
 // How fast each touch penetrates along the orbits without impact, over the first; empty where that cannot be
 // told.
 Eigen::VectorXd rates_of(OrbitFamily& family, const GrazingOrbit& grazing) {
-  constexpr double kBeside = 1e-6, kNone = 1e-6;
+  constexpr double kNone = 1e-6;
   const auto count = static_cast<Eigen::Index>(grazing.touches.size());
   if (count == 1) return Eigen::VectorXd::Ones(1);
   ExtendedEquations equations(family, grazing.base);
@@ -48,12 +44,11 @@ Eigen::VectorXd rates_of(OrbitFamily& family, const GrazingOrbit& grazing) {
   Eigen::VectorXd rates = Eigen::VectorXd::Zero(count);
   for (const double side : {1.0, -1.0}) {
     if (!equations.evaluate(grazing.base.x + side * kBeside * tangent)) return {};
-    const OrbitSurvey found = survey(equations);
     for (Eigen::Index a = 0; a < count; ++a) {
-      const OrbitGuard* guard =
-          found.find(GuardKind::clearance, grazing.touches[static_cast<std::size_t>(a)].contact);
-      if (guard == nullptr) return {};
-      rates[a] -= side * guard->value / (2.0 * kBeside);
+      const int contact = grazing.touches[static_cast<std::size_t>(a)].contact;
+      const auto clearance = guard_value(equations, GuardKind::clearance, contact);
+      if (!clearance) return {};
+      rates[a] -= side * *clearance / (2.0 * kBeside);
     }
   }
   if (!(std::abs(rates[0]) > kNone)) return {};
@@ -63,7 +58,6 @@ Eigen::VectorXd rates_of(OrbitFamily& family, const GrazingOrbit& grazing) {
 }  // namespace
 
 std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve& curve) {
-  constexpr double kApart = 1e-6;  // rad
   GrazingOrbit grazing{.base = curve.last};
   ExtendedEquations last(family, curve.last);
   if (!last.evaluate(curve.last.x)) return std::nullopt;
@@ -81,10 +75,9 @@ std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve
           {.contact = guard.index, .phase = std::fmod(guard.phase, grazing.base.end())});
   }
   if (grazing.touches.empty()) return std::nullopt;
-  std::sort(grazing.touches.begin(), grazing.touches.end(),
-            [](const GrazingTouch& a, const GrazingTouch& b) { return a.phase < b.phase; });
+  std::ranges::sort(grazing.touches, {}, &GrazingTouch::phase);
   for (std::size_t a = 1; a < grazing.touches.size(); ++a) {
-    if (grazing.touches[a].phase - grazing.touches[a - 1].phase < kApart)
+    if (grazing.touches[a].phase - grazing.touches[a - 1].phase < kAtOnce)
       grazing.obstacle = "two contacts graze at one instant";
   }
   const Eigen::VectorXd rates = rates_of(family, grazing);
@@ -98,16 +91,11 @@ std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve
 }
 
 std::optional<CurveStart> start_clear(OrbitFamily& family, const GrazingOrbit& grazing) {
-  const auto clearance = [&](const ExtendedEquations& equations) {
-    const OrbitSurvey found = survey(equations);
-    const OrbitGuard* guard = found.find(GuardKind::clearance, grazing.touches.front().contact);
-    return guard == nullptr ? std::nan("") : guard->value;
-  };
+  const int contact = grazing.touches.front().contact;
   const auto quiet = with_quiet_section(family, grazing.base);
   if (!quiet) return std::nullopt;
-  return start_where_grows(
-      family, *quiet, clearance,
-      fmt::format("contact {} no longer reaches its stop", grazing.touches.front().contact));
+  return start_where_grows(family, *quiet, quantity_of(GuardKind::clearance, contact),
+                           fmt::format("contact {} no longer reaches its stop", contact));
 }
 
 namespace {
@@ -123,21 +111,14 @@ bool sticks(const SequencedOrbit& orbit, const ContactDynamics& dynamics) {
 // touches (GrazingFamily).
 std::optional<SequencedOrbit> struck_at(OrbitFamily& family, const GrazingOrbit& grazing, int periods,
                                         const std::vector<int>& hits) {
-  const auto model = family.model(grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter);
+  const auto model = family.model(grazing.base.parameter() * family.units().parameter);
   const auto count = static_cast<int>(grazing.touches.size());
   SequencedOrbit struck = repeated(grazing.base, periods);
   for (const int hit : hits) {
     const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(hit % count)];
     const int passed = hit / count;  // periods
     const double phase = touch.phase + passed * grazing.base.end();
-    struck = model->dynamics.rigid(touch.contact)
-                 ? with_impacts(
-                       struck,
-                       {{phase, SequenceEvent{.kind = ContactEvent::Kind::impact,
-                                              .contact = touch.contact,
-                                              .pushed = {touch.contact},
-                                              .restitution = {model->dynamics.restitution(touch.contact)}}}})
-                 : with_contact_phase(struck, touch.contact, phase);
+    struck = with_touch(struck, touch.contact, phase, model->dynamics);
   }
   return with_quiet_section(family, struck);
 }
@@ -147,14 +128,13 @@ std::optional<CurveStart> start_struck(OrbitFamily& family, const SequencedOrbit
                                        const std::string& origin) {
   ExtendedEquations equations(family, orbit);
   if (!equations.evaluate(orbit.x)) return std::nullopt;
-  std::vector<bool> fresh;
-  for (const auto& crossing : equations.equations().crossings())
-    fresh.push_back(std::abs(crossing.approach) < 1e-7 * family.units().velocity);
+  std::vector<Eigen::Index> fresh;
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) {
+    if (std::abs(equations.speed(i)) < kNew) fresh.push_back(i);
+  }
   const auto speed_of_new = [&](const ExtendedEquations& at) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < fresh.size(); ++i) {
-      if (fresh[i]) sum += at.equations().crossings()[i].approach;
-    }
+    for (const Eigen::Index i : fresh) sum += at.speed(i);
     return sum;
   };
   return start_where_grows(family, orbit, speed_of_new, origin);
@@ -164,7 +144,6 @@ std::optional<CurveStart> start_struck(OrbitFamily& family, const SequencedOrbit
 // no length: each comes earlier as the root of its impulse, all else at second order.
 CurveStart start_pressed(const SequencedOrbit& orbit, const GrazingOrbit& grazing, const GrazingFamily& found,
                          const std::string& origin) {
-  constexpr double kSame = 1e-6;  // rad
   const auto touches = static_cast<int>(grazing.touches.size());
   CurveStart start{.orbit = orbit, .tangent = Eigen::VectorXd::Zero(orbit.x.size()), .origin = origin};
   for (Eigen::Index i = 0; i < orbit.count(); ++i) {
@@ -173,8 +152,8 @@ CurveStart start_pressed(const SequencedOrbit& orbit, const GrazingOrbit& grazin
       const GrazingTouch& touch = grazing.touches[static_cast<std::size_t>(found.hits[k] % touches)];
       const int periods = found.hits[k] / touches;
       const double apart = std::remainder(passed - touch.phase - periods * grazing.base.end(), orbit.end());
-      const SequenceEvent& event = orbit.events[static_cast<std::size_t>(i)];
-      if (std::abs(apart) > kSame || event.contact != touch.contact ||
+      const SequenceEvent& event = orbit.event(i);
+      if (std::abs(apart) > kAtOnce || event.contact != touch.contact ||
           event.kind != ContactEvent::Kind::close)
         continue;
       const bool told = found.impulses.size() > 0;
@@ -190,7 +169,7 @@ std::optional<CurveStart> start_of(OrbitFamily& family, const GrazingOrbit& graz
                                    const GrazingFamily& found, const std::string& origin) {
   const auto orbit = struck_at(family, grazing, found.periods, found.hits);
   if (!orbit) return std::nullopt;
-  const auto model = family.model(orbit->x[orbit->x.size() - 1] * family.units().parameter);
+  const auto model = family.model(orbit->parameter() * family.units().parameter);
   return model->dynamics.rigid(grazing.touches.front().contact)
              ? start_struck(family, *orbit, origin)
              : start_pressed(*orbit, grazing, found, origin);
@@ -215,7 +194,7 @@ std::optional<std::vector<CurveStart>> start_struck_freely(OrbitFamily& family, 
 
 std::optional<std::vector<CurveStart>> start_impacting(OrbitFamily& family, const GrazingOrbit& grazing,
                                                        int max_order) {
-  const double p = grazing.base.x[grazing.base.x.size() - 1] * family.units().parameter;
+  const double p = grazing.base.parameter() * family.units().parameter;
   const std::string origin =
       fmt::format("grazing of contact {} at {:.10g}", grazing.touches.front().contact, p);
   if (!family.driven()) return start_struck_freely(family, grazing, origin);

@@ -15,6 +15,7 @@ namespace {
 // log |mu|, falling, of the real multipliers above 0, of those below 0, and of the pairs.
 using Magnitudes = std::array<std::vector<double>, 3>;
 constexpr std::size_t kPairs = 2;
+constexpr double kDoubleRoot = 1e-6;  // rounding of the magnitude of multipliers that are 1 twice
 
 // The least magnitude that tests tell of all multipliers beyond.
 double least_known(const BifurcationTests& tests) {
@@ -40,11 +41,10 @@ Magnitudes magnitudes(const Eigen::VectorXcd& multipliers, double least) {
 // How many multipliers are outside the circle; empty where they are not known, or beyond all bounds, as
 // beside a grazing.
 std::optional<std::ptrdiff_t> count_outside(const Eigen::VectorXcd& multipliers) {
-  // The latter where nothing is lost, to the root of rounding.
-  constexpr double kBeyond = 1e8, kOnCircle = 1e-6;
+  constexpr double kBeyond = 1e8;
   if (multipliers.size() == 0 || !(multipliers.cwiseAbs().maxCoeff() < kBeyond)) return std::nullopt;
   return std::count_if(multipliers.begin(), multipliers.end(),
-                       [](const std::complex<double>& mu) { return std::abs(mu) > 1.0 + kOnCircle; });
+                       [](const std::complex<double>& mu) { return std::abs(mu) > 1.0 + kDoubleRoot; });
 }
 
 bool changes_sign(const BifurcationTests& begin, const BifurcationTests& end, SpecialKind kind) {
@@ -93,7 +93,6 @@ bool comes_near_zero(const ThreeValues& f, double back, double length) {
 // The logarithms of multipliers, those that keep their rank.
 bool multipliers_come_near(const TestsBefore& before, const BifurcationTests& begin, double length,
                            const BifurcationTests& end) {
-  constexpr double kKnown = 1e-6;  // of a double multiplier that is 1, to the root of rounding
   const double least = std::max({least_known(before.tests), least_known(begin), least_known(end)});
   const Magnitudes a = magnitudes(before.tests.multipliers, least), b = magnitudes(begin.multipliers, least),
                    c = magnitudes(end.multipliers, least);
@@ -103,7 +102,7 @@ bool multipliers_come_near(const TestsBefore& before, const BifurcationTests& be
     if (a[sort].size() != b[sort].size() || b[sort].size() != c[sort].size()) continue;
     for (std::size_t k = 0; k < b[sort].size(); ++k) {
       const ThreeValues f{a[sort][k], b[sort][k], c[sort][k]};
-      const bool known = std::min(std::abs(f.begin), std::abs(f.end)) > kKnown;
+      const bool known = std::min(std::abs(f.begin), std::abs(f.end)) > kDoubleRoot;
       if (known && comes_near_zero(f, before.length, length)) return true;
     }
   }

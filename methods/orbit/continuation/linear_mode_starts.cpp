@@ -12,22 +12,15 @@
 #include <utility>
 
 #include "methods/orbit/family/followed_quantity.hpp"
-#include "methods/orbit/family/growth.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
-std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbit& orbit,
-                                        std::string origin) {
-  const auto way = way_of_growth(family, orbit);
-  if (!way) return std::nullopt;
-  return CurveStart{.orbit = orbit, .tangent = *way, .origin = std::move(origin)};
-}
-
 namespace {
 
-constexpr double kReachesAlike = 1e-9;  // of the amplitude: contacts that a symmetry makes touch together
-constexpr double kLoose = 1e-12;        // of the largest omega^2: nothing holds the mode
+constexpr double kAlike =
+    1e-9;  // of an amplitude: contacts that a symmetry makes touch together, or not at all
+constexpr double kLoose = 1e-12;  // of the largest omega^2: nothing holds the mode
 
 // The state of rest, and how far each contact is from a change there.
 struct RestBesideStops {
@@ -104,20 +97,12 @@ SequencedOrbit orbit_of_mode(const OrbitFamily& family, const RestBesideStops& r
 }
 
 // What begins at the contacts that the mode reaches: an impact, or a phase of contact or its interruption.
-SequencedOrbit with_beginnings(SequencedOrbit orbit, const std::vector<int>& reached,
+SequencedOrbit with_beginnings(SequencedOrbit orbit, std::vector<int> reached,
                                const Eigen::VectorXd& amplitudes, const ContactDynamics& dynamics) {
-  std::vector<PlacedEvent> impacts;
-  for (const int j : reached) {
-    const double phase = (amplitudes[j] > 0.0 ? 0.5 : 1.5) * std::numbers::pi;
-    if (dynamics.rigid(j))
-      impacts.emplace_back(phase, SequenceEvent{.kind = ContactEvent::Kind::impact,
-                                                .contact = j,
-                                                .pushed = {j},
-                                                .restitution = {dynamics.restitution(j)}});
-    else
-      orbit = with_contact_phase(orbit, j, phase);
-  }
-  return impacts.empty() ? orbit : with_impacts(orbit, impacts);
+  std::ranges::stable_partition(reached, [&](int j) { return !dynamics.rigid(j); });
+  for (const int j : reached)
+    orbit = with_touch(orbit, j, (amplitudes[j] > 0.0 ? 0.5 : 1.5) * std::numbers::pi, dynamics);
+  return orbit;
 }
 
 std::optional<CurveStart> start_of(OrbitFamily& family, OrbitModel& model, const RestBesideStops& rest,
@@ -127,7 +112,7 @@ std::optional<CurveStart> start_of(OrbitFamily& family, OrbitModel& model, const
   const double most = shares.maxCoeff();
   std::vector<int> reached;
   for (int j = 0; j < shares.size(); ++j) {
-    if (shares[j] >= (1.0 - kReachesAlike) * most) reached.push_back(j);
+    if (shares[j] >= (1.0 - kAlike) * most) reached.push_back(j);
   }
   const SequencedOrbit orbit =
       with_beginnings(orbit_of_mode(family, rest, mode, 1.0 / most), reached, amplitudes, model.dynamics);
@@ -148,7 +133,6 @@ Eigen::VectorXd frequencies_where(const ContactDynamics& dynamics, bool all_clos
 }  // namespace
 
 LinearModeStarts linear_mode_starts(OrbitFamily& family) {
-  constexpr double kTouches = 1e-9;  // of the largest of a contact over all modes: it moves in this one
   const ParametrisedScene& scene = family.scene();
   const auto model = family.model(scene.middle());
   if (model->dynamics.contact_count() == 0) return {.obstacle = "there is no contact"};
@@ -165,12 +149,10 @@ LinearModeStarts linear_mode_starts(OrbitFamily& family) {
   for (Eigen::Index r = 0; r < open.size(); ++r) {
     const double frequency = std::sqrt(rest.modes.values[r]);
     if (open[r] > scene.high() || held[r] < scene.low()) continue;
-    if ((rest.amplitudes.col(r).cwiseAbs().array() <= kTouches * largest.array()).all()) continue;
+    if ((rest.amplitudes.col(r).cwiseAbs().array() <= kAlike * largest.array()).all()) continue;
     if (auto start = start_of(family, *model, rest, r))
       result.starts.push_back({.frequency = frequency,
                                .energy = energy_of_start(*model, *start, family.units()),
-                               .lowest = open[r],
-                               .highest = held[r],
                                .start = std::move(*start)});
     else
       result.obstacle = fmt::format("how the motion of mode {} goes on at its stop is not told", r + 1);

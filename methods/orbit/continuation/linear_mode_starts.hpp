@@ -6,15 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "methods/orbit/continuation/curve.hpp"
+#include "methods/orbit/continuation/switching.hpp"
 
 namespace signorini {
 
 /// The parameter of free motions that are followed over their energy.
 inline constexpr std::string_view kEnergy = "energy";
-
-/// A start along the way_of_growth of an orbit; empty where there is none.
-std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbit& orbit, std::string origin);
 
 /// A linear mode about the equilibrium, u = u_s + A phi cos(omega_r t), at the amplitude
 ///
@@ -27,10 +24,7 @@ std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbi
 struct LinearModeStart {
   double frequency = 0.0;  ///< omega_r [rad/s]
   double energy = 0.0;     ///< there [J]
-  /// Between the frequencies of the mode of the same number with all contacts open and all held: infinite
-  /// where stops are rigid [rad/s].
-  double lowest = 0.0, highest = 0.0;
-  CurveStart start;  ///< along the way on which all impacts or phases grow alike
+  CurveStart start;        ///< along the way on which all impacts or phases grow alike
 };
 
 /// Those of free motions, and why others are none.
@@ -40,7 +34,8 @@ struct LinearModeStarts {
 };
 
 /// The starts of all nonlinear modes whose range of frequencies meets that of `family`, in whose unknowns
-/// they are.
+/// they are: the range between the frequencies of the mode of the same number with all contacts open and with
+/// all held, infinite where stops are rigid.
 ///
 /// \param family  not driven
 /// \return none where no spring holds the structure at rest, its own or that of a stop, a rigid stop is

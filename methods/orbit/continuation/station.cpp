@@ -34,10 +34,8 @@ Eigen::MatrixXd sampled_motion(const ExtendedEquations& equations, int phases) {
     double phase = std::fmod(
         orbit.end() * static_cast<double>(i) / static_cast<double>(count) - orbit.section, orbit.end());
     if (phase < 0.0) phase += orbit.end();
-    std::size_t arc = 0;
-    while (arc < orbit.events.size() && orbit.phase(static_cast<Eigen::Index>(arc)) < phase) ++arc;
-    for (int j = 0; j < contacts; ++j)
-      x(i, j) = equations.equations().arcs()[arc]->displacement(j, equations.time_of(phase));
+    const LinearArc& arc = equations.arc(orbit.passed(phase));
+    for (int j = 0; j < contacts; ++j) x(i, j) = arc.displacement(j, equations.time_of(phase));
   }
   return x;
 }
@@ -95,18 +93,17 @@ namespace {
 // A contact that is pressed into its stop after an impact passes it: what is wrong is the impact.
 bool follows_from_release(const OrbitGuard& guard, const Station& station, const SequencedOrbit& orbit) {
   return guard.kind == GuardKind::clearance &&
-         std::any_of(station.survey.guards.begin(), station.survey.guards.end(),
-                     [&](const OrbitGuard& other) {
-                       return other.kind == GuardKind::release && other.value < kViolated &&
-                              orbit.events[static_cast<std::size_t>(other.index)].contact == guard.index;
-                     });
+         std::ranges::any_of(station.survey.guards, [&](const OrbitGuard& other) {
+           return other.kind == GuardKind::release && other.value < kViolated &&
+                  orbit.event(other.index).contact == guard.index;
+         });
 }
 
 }  // namespace
 
 bool violates(const Station& station) {
-  return std::any_of(station.survey.guards.begin(), station.survey.guards.end(),
-                     [](const OrbitGuard& guard) { return guard.value < kViolated; });
+  return std::ranges::any_of(station.survey.guards,
+                             [](const OrbitGuard& guard) { return guard.value < kViolated; });
 }
 
 std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const Station& begin, double length,
@@ -116,10 +113,7 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
   for (const OrbitGuard& guard : end.survey.guards) {
     if (guard.value >= kViolated || follows_from_release(guard, end, equations.orbit())) continue;
     const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
-    const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
-      const auto same = guard_of(at, guard.kind, guard.index);
-      return same ? std::optional(same->value) : std::nullopt;
-    };
+    const auto value = [&](ExtendedEquations& at) { return guard_value(at, guard.kind, guard.index); };
     // Where another one is zero this one still holds: it comes later. Where a contact with a damped stop
     // fades those passages clear it by the square of the way that do not touch it: to rounding.
     const ContactDynamics& dynamics = equations.model().dynamics;
@@ -160,8 +154,7 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
   constexpr double kReach = 0.05;     // of the step: of a branch point located to the root of rounding
   constexpr double kUnscaled = 1e-4;  // determinants of many equations are small wherever they are
   StepBifurcations result;
-  for (const SpecialKind kind : {SpecialKind::fold, SpecialKind::period_doubling, SpecialKind::neimark_sacker,
-                                 SpecialKind::branch_point, SpecialKind::phase_resonance}) {
+  for (const SpecialKind kind : BifurcationTests::kKinds) {
     const auto &before = begin.tests.of(kind), &after = end.tests.of(kind);
     if (!before || !after || !(*before * *after < 0.0)) continue;
     const bool determinant = kind == SpecialKind::branch_point || kind == SpecialKind::period_doubling;
@@ -219,19 +212,16 @@ StepBifurcations bifurcations(ExtendedEquations& equations, const Station& begin
     StepBifurcations others = changes_of_sign(equations, begin, shorter, before, shorter);
     for (LocatedBifurcation& other : others.found) {
       const SpecialKind kind = other.special.kind;
-      if (std::none_of(found.begin(), found.end(), [kind](const auto& f) { return f.special.kind == kind; }))
+      if (std::ranges::none_of(found, [kind](const auto& one) { return one.special.kind == kind; }))
         found.push_back(std::move(other));
     }
   }
-  std::sort(found.begin(), found.end(),
-            [](const LocatedBifurcation& a, const LocatedBifurcation& b) { return a.length < b.length; });
+  std::ranges::sort(found, {}, &LocatedBifurcation::length);
   return result;
 }
 
 std::optional<Station> guards_at(ExtendedEquations& equations, const Station& begin, double length) {
-  if (!correct(equations, begin.x + length * begin.tangent, begin.tangent,
-               {.iterations = 14, .tolerance = 1e-14}))
-    return std::nullopt;
+  if (!correct(equations, begin.x + length * begin.tangent, begin.tangent, kTight)) return std::nullopt;
   const auto tangent = tangent_of(equations, begin.tangent);
   if (!tangent) return std::nullopt;
   std::optional<Station> station(std::in_place);
@@ -285,9 +275,9 @@ class DipSearch {
     };
     const auto &first = a.station->tracked, &second = b.station->tracked;
     for (const TrackedGuard& guard : first) {
-      GuardCubic cubic{.value = guard.guard.guard.value, .slope = h * slope(guard, *a.station)};
+      GuardCubic cubic{.value = guard.value, .slope = h * slope(guard, *a.station)};
       if (const TrackedGuard* other = counterpart(guard, first, second)) {
-        cubic.last = other->guard.guard.value;
+        cubic.last = other->value;
         cubic.last_slope = h * slope(*other, *b.station);
         consider(cubic, cubic.lowest());
       } else if (!left_by_an_event(cubic.value)) {
@@ -295,7 +285,7 @@ class DipSearch {
       }
     }
     for (const TrackedGuard& guard : second) {
-      const double value = guard.guard.guard.value;
+      const double value = guard.value;
       if (left_by_an_event(value) || counterpart(guard, second, first) != nullptr) continue;
       consider({.last = value}, {.at = 0.5, .bound = value - h * slope(guard, *b.station)});
     }

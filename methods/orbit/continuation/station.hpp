@@ -11,9 +11,6 @@
 
 namespace signorini {
 
-/// Of a guard below which an orbit is not admissible: kAdmissible of the scales [-]
-inline constexpr double kViolated = -1e-11;
-
 /// A point with its test functions.
 struct Station {
   Eigen::VectorXd x, tangent;              ///< in CurveUnits

@@ -17,6 +17,7 @@
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/products.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 
 namespace signorini {
 
@@ -39,7 +40,7 @@ std::vector<bool> last_impacts(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
   std::vector<bool> last(orbit.events.size(), false);
   for (const ChatterEnd& end : chatter_ends(equations)) {
-    const int contact = orbit.events[static_cast<std::size_t>(end.closing)].contact;
+    const int contact = orbit.event(end.closing).contact;
     for (auto i = static_cast<std::size_t>(end.closing) + 1; i-- > 0;) {
       if (orbit.events[i].contact != contact) continue;
       if (equations.equations().crossings()[i].approach >= kSlow * equations.family().units().velocity ||
@@ -55,7 +56,6 @@ std::vector<bool> last_impacts(const ExtendedEquations& equations) {
 // order would be lost.
 std::vector<int> least_rotation(const std::vector<int>& events, const std::vector<double>& phases,
                                 double end) {
-  constexpr double kLonger = 1e-6;  // rad
   const auto before = [&](std::size_t i) {
     return phases[i] - (i == 0 ? phases.back() - end : phases[i - 1]);
   };
@@ -63,7 +63,7 @@ std::vector<int> least_rotation(const std::vector<int>& events, const std::vecto
   for (std::size_t i = 0; i < events.size(); ++i) longest = std::max(longest, before(i));
   std::vector<int> least;
   for (std::size_t i = 0; i < events.size(); ++i) {
-    if (before(i) < longest - kLonger) continue;
+    if (before(i) < longest - kAtOnce) continue;
     std::vector<int> rotated = events;
     std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(i), rotated.end());
     if (least.empty() || rotated < least) least = std::move(rotated);
@@ -75,7 +75,7 @@ std::vector<int> least_rotation(const std::vector<int>& events, const std::vecto
 
 OrbitMark mark_of(const ExtendedEquations& equations) {
   const SequencedOrbit& orbit = equations.orbit();
-  OrbitMark mark{.parameter = orbit.x[orbit.x.size() - 1], .order = orbit.order};
+  OrbitMark mark{.parameter = orbit.parameter(), .order = orbit.order};
   const std::vector<bool> tail = last_impacts(equations);
   std::vector<double> phases;
   for (std::size_t i = 0; i < orbit.events.size(); ++i) {
@@ -90,9 +90,12 @@ OrbitMark mark_of(const ExtendedEquations& equations) {
   return mark;
 }
 
+OrbitQuantity quantity_of(GuardKind kind, int index) {
+  return [=](const ExtendedEquations& at) { return guard_value(at, kind, index).value_or(std::nan("")); };
+}
+
 std::optional<CurveStart> start_where_grows(OrbitFamily& family, const SequencedOrbit& orbit,
                                             const OrbitQuantity& quantity, std::string origin) {
-  constexpr double kBeside = 1e-6;
   ExtendedEquations equations(family, orbit);
   if (!equations.evaluate(orbit.x)) return std::nullopt;
   const Eigen::VectorXd tangent = first_tangent(equations);
@@ -104,6 +107,67 @@ std::optional<CurveStart> start_where_grows(OrbitFamily& family, const Sequenced
   return CurveStart{.orbit = orbit,
                     .tangent = ahead > behind ? tangent : Eigen::VectorXd(-tangent),
                     .origin = std::move(origin)};
+}
+
+namespace {
+
+// The speeds of the impacts that have none at an orbit, over V, and the lengths of the phases of contact that
+// have none there [-], [rad].
+class NewEvents {
+ public:
+  explicit NewEvents(const ExtendedEquations& equations) {
+    const SequencedOrbit& orbit = equations.orbit();
+    for (Eigen::Index i = 0; i < orbit.count(); ++i) {
+      const SequenceEvent& event = orbit.event(i);
+      const bool impact = event.kind == ContactEvent::Kind::impact;
+      if (impact && std::abs(equations.speed(i)) < kNew) impacts_.push_back(i);
+      if (!impact && i > 0 && orbit.event(i - 1).contact == event.contact &&
+          orbit.phase(i) - orbit.phase(i - 1) < kNew)
+        phases_.push_back(i);
+    }
+  }
+  [[nodiscard]] Eigen::VectorXd of(const ExtendedEquations& at) const {
+    std::vector<double> all;
+    for (const Eigen::Index i : impacts_) all.push_back(at.speed(i));
+    for (const Eigen::Index i : phases_) all.push_back(at.orbit().phase(i) - at.orbit().phase(i - 1));
+    return Eigen::VectorXd::Map(all.data(), static_cast<Eigen::Index>(all.size()));
+  }
+
+ private:
+  std::vector<Eigen::Index> impacts_, phases_;
+};
+
+}  // namespace
+
+std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbit& orbit,
+                                        std::string origin) {
+  constexpr double kSingular = 1e-8, kResolved = 1e-6;  // of the largest singular value
+  ExtendedEquations equations(family, orbit);
+  if (!equations.evaluate(orbit.x)) return std::nullopt;
+  const NewEvents fresh(equations);
+  const Eigen::MatrixXd J = equations.accurate_jacobian(), C = equations.conditions();
+  Eigen::MatrixXd all(J.rows() + C.rows(), J.cols());
+  all << J, C;
+  if (!all.allFinite()) return std::nullopt;
+  const SingularValues svd = singular_vectors(all);
+  const Eigen::Index rank = (svd.values.array() > kSingular * svd.values[0]).count();
+  const Eigen::MatrixXd ways = svd.V.rightCols(svd.V.cols() - rank);
+  Eigen::MatrixXd rates(fresh.of(equations).size(), ways.cols());
+  for (Eigen::Index k = 0; k < ways.cols(); ++k) {
+    if (!equations.evaluate(orbit.x + kBeside * ways.col(k))) return std::nullopt;
+    const Eigen::VectorXd ahead = fresh.of(equations);
+    if (!equations.evaluate(orbit.x - kBeside * ways.col(k))) return std::nullopt;
+    rates.col(k) = (ahead - fresh.of(equations)) / (2.0 * kBeside);
+  }
+  if (rates.size() == 0 || !rates.allFinite()) return std::nullopt;
+  const SingularValues by_way = singular_vectors(rates);
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(ways.cols());
+  for (Eigen::Index k = 0; k < by_way.values.size(); ++k) {
+    if (by_way.values[k] > kResolved * by_way.values[0])
+      shares += by_way.U.col(k).sum() / by_way.values[k] * by_way.V.col(k);
+  }
+  if (!((rates * shares).array() > 0.0).all()) return std::nullopt;
+  return CurveStart{.orbit = orbit, .tangent = (ways * shares).normalized(), .origin = std::move(origin)};
 }
 
 namespace {
@@ -129,7 +193,7 @@ Parting parting(const SequencedOrbit& orbit, const Eigen::VectorXd& way) {
 std::vector<std::vector<std::size_t>> exchanged_orders(OrbitFamily& family, const SequencedOrbit& orbit) {
   std::vector<double> phases;
   for (Eigen::Index i = 0; i < orbit.count(); ++i) phases.push_back(orbit.phase(i));
-  const auto model = family.model(orbit.x[orbit.x.size() - 1] * family.units().parameter);
+  const auto model = family.model(orbit.parameter() * family.units().parameter);
   return impact_orders(model->dynamics.structure(), orbit.events, phases, true);
 }
 
@@ -195,7 +259,7 @@ std::optional<CurveStart> start_doubled(OrbitFamily& family, const SequencedOrbi
 std::vector<CurveStart> start_crossing(OrbitFamily& family, const SequencedOrbit& orbit,
                                        const Eigen::VectorXd& across) {
   constexpr double kReach = 1e-3;  // in CurveUnits
-  const double parameter = orbit.x[orbit.x.size() - 1] * family.units().parameter;
+  const double parameter = orbit.parameter() * family.units().parameter;
   std::vector<CurveStart> starts;
   const auto add = [&](const SequencedOrbit& at, const Eigen::VectorXd& x, const Eigen::VectorXd& way) {
     for (const double sign : {1.0, -1.0}) {

@@ -26,13 +26,27 @@ struct OrbitMark {
 /// Of the orbit at which the equations are evaluated.
 OrbitMark mark_of(const ExtendedEquations& equations);
 
+/// How far beside an orbit it is told what grows along a curve [CurveUnits]
+inline constexpr double kBeside = 1e-6;
+/// Speeds over V, and lengths of phases of contact [rad], below which these have just begun
+inline constexpr double kNew = 1e-7;
+
 /// A quantity of an orbit where the equations are evaluated.
 using OrbitQuantity = std::function<double(const ExtendedEquations&)>;
+
+/// A guard, NaN where it does not exist.
+OrbitQuantity quantity_of(GuardKind kind, int index);
 
 /// A start at `orbit` along the curve on the side where a quantity that vanishes there grows; empty where the
 /// equations cannot be evaluated.
 std::optional<CurveStart> start_where_grows(OrbitFamily& family, const SequencedOrbit& orbit,
                                             const OrbitQuantity& quantity, std::string origin);
+
+/// A start at an orbit of a free motion with impacts of no speed, or phases of contact of no length, along
+/// the way on which all of these grow alike: of symmetric motions more than one curve goes through it, as
+/// each speed or length enters squared, so that [R_x; conditions] has a null space of more than one
+/// dimension. Empty where it has none on which all grow, or the equations cannot be evaluated.
+std::optional<CurveStart> start_growing(OrbitFamily& family, const SequencedOrbit& orbit, std::string origin);
 
 /// The start with impacts of one instant, those that do not feel each other through the mass, in the order in
 /// which they part along its tangent.

@@ -111,7 +111,6 @@ std::optional<BranchPointSolution> solve_branch_point(ExtendedEquations& equatio
   const auto directions = isotropic_directions(system.curvature());
   if (!directions) return std::nullopt;
   return BranchPointSolution{.x = at,
-                             .null_space = system.null_space(),
                              .first = system.null_space() * directions->first,
                              .second = system.null_space() * directions->second};
 }

@@ -10,10 +10,9 @@ namespace signorini {
 
 /// A simple branch point: [R_x], n x (n + 1), has rank n - 1 there.
 struct BranchPointSolution {
-  Eigen::VectorXd x = {};           ///< n + 1, in CurveUnits
-  Eigen::MatrixXd null_space = {};  ///< orthonormal, (n + 1) x 2
-  /// The unit tangents of the curves that cross, those a of the null space with psi^T R_xx[a, a] = 0, psi^T
-  /// R_x = 0.
+  Eigen::VectorXd x = {};  ///< n + 1, in CurveUnits
+  /// The unit tangents of the curves that cross, those a of the null space of [R_x] with psi^T R_xx[a, a] =
+  /// 0, psi^T R_x = 0.
   Eigen::VectorXd first = {}, second = {};
 };
 

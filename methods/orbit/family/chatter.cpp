@@ -15,12 +15,11 @@ using Kind = ContactEvent::Kind;
 
 // From closing i to the opening of the contact, through the section if need be [rad].
 double closed_for(const SequencedOrbit& orbit, Eigen::Index i) {
-  const int contact = orbit.events[static_cast<std::size_t>(i)].contact;
+  const int contact = orbit.event(i).contact;
   const Eigen::Index m = orbit.count();
   for (Eigen::Index k = 1; k <= m; ++k) {
     const Eigen::Index at = (i + k) % m;
-    const SequenceEvent& event = orbit.events[static_cast<std::size_t>(at)];
-    if (event.contact == contact && event.kind == Kind::open)
+    if (orbit.event(at).contact == contact && orbit.event(at).kind == Kind::open)
       return orbit.phase(at) - orbit.phase(i) + (at < i ? orbit.end() : 0.0);
   }
   return orbit.end();
@@ -30,19 +29,17 @@ double closed_for(const SequencedOrbit& orbit, Eigen::Index i) {
 // comes first.
 std::optional<SequencedOrbit> with_one_more(const ExtendedEquations& equations, const ChatterEnd& end) {
   const SequencedOrbit& orbit = equations.orbit();
-  const int contact = orbit.events[static_cast<std::size_t>(end.closing)].contact;
+  const int contact = orbit.event(end.closing).contact;
   const double e = equations.model().dynamics.restitution(contact);
   const double phase =
       orbit.phase(end.closing) + equations.frequency() * 2.0 * e * end.speed / end.acceleration;
   const Eigen::Index next = end.closing + 1;
   if (phase >= (next < orbit.count() ? orbit.phase(next) : orbit.end())) return std::nullopt;
-  std::vector<PlacedEvent> placed = placed_events(orbit);
-  const auto closing = placed.begin() + end.closing;
-  placed.insert(closing + 1, {phase, closing->second});
-  SequenceEvent& impact = placed[static_cast<std::size_t>(end.closing)].second;
+  SequencedOrbit longer = orbit;
+  SequenceEvent& impact = longer.events[static_cast<std::size_t>(end.closing)];
   impact.kind = Kind::impact;
   impact.restitution.assign(impact.pushed.size(), e);
-  return with_modes(with_events(orbit, std::move(placed)));
+  return with_event(longer, next, {phase, orbit.event(end.closing)});
 }
 
 // The contact closes at the impact before.
@@ -56,9 +53,8 @@ SequencedOrbit with_one_less(const SequencedOrbit& orbit, const ChatterEnd& end)
 
 bool follows_an_impact(const SequencedOrbit& orbit, Eigen::Index i) {
   if (i == 0) return false;
-  const SequenceEvent &before = orbit.events[static_cast<std::size_t>(i - 1)],
-                      &event = orbit.events[static_cast<std::size_t>(i)];
-  return before.kind == Kind::impact && before.contact == event.contact && before.pushed.size() == 1;
+  const SequenceEvent& before = orbit.event(i - 1);
+  return before.kind == Kind::impact && before.contact == orbit.event(i).contact && before.pushed.size() == 1;
 }
 
 // The orbit with one impact more or less at one of the closings.
@@ -66,9 +62,8 @@ ResolvedChatter one_step(const ExtendedEquations& equations) {
   constexpr double kMostRest = 0.5, kByFar = 0.5;  // shares: of the contact, of kChatterLeftOut
   const SequencedOrbit& orbit = equations.orbit();
   for (const ChatterEnd& end : chatter_ends(equations)) {
-    const double e =
-        equations.model().dynamics.restitution(orbit.events[static_cast<std::size_t>(end.closing)].contact);
-    if (orbit.events[static_cast<std::size_t>(end.closing)].pushed.size() != 1)
+    const double e = equations.model().dynamics.restitution(orbit.event(end.closing).contact);
+    if (orbit.event(end.closing).pushed.size() != 1)
       return {.obstacle = "its impacts are felt by contacts that rest"};
     if (e == 1.0) return {.obstacle = "elastic impacts that fade have no limit to add to"};
     if (end.left_out > kChatterLeftOut) {
@@ -91,16 +86,15 @@ std::vector<ChatterEnd> chatter_ends(const ExtendedEquations& equations) {
   std::vector<ChatterEnd> ends;
   const SequencedOrbit& orbit = equations.orbit();
   for (Eigen::Index i = 0; i < orbit.count(); ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const SequenceEvent& event = orbit.events[index];
+    const SequenceEvent& event = orbit.event(i);
     const double e = dynamics.restitution(event.contact);
     if (event.kind != Kind::close || !dynamics.rigid(event.contact) || e == 0.0) continue;
-    const LinearArc& before = *equations.equations().arcs()[index];
-    ChatterEnd end{.closing = i,
-                   .speed = equations.equations().crossings()[index].approach,
-                   .acceleration = before.displacement(event.contact, equations.time_of(orbit.phase(i)), 2),
-                   .left_out = std::numeric_limits<double>::infinity(),
-                   .rest = std::numeric_limits<double>::infinity()};
+    ChatterEnd end{
+        .closing = i,
+        .speed = equations.equations().crossings()[static_cast<std::size_t>(i)].approach,
+        .acceleration = equations.arc(i).displacement(event.contact, equations.time_of(orbit.phase(i)), 2),
+        .left_out = std::numeric_limits<double>::infinity(),
+        .rest = std::numeric_limits<double>::infinity()};
     if (end.acceleration > 0.0 && e < 1.0) {
       const double lasts = 2.0 * e * end.speed / (end.acceleration * (1.0 - e));
       end.left_out = 0.25 * end.speed * lasts / equations.family().units().displacement;
@@ -128,25 +122,14 @@ ResolvedChatter resolve_chatter(const ExtendedEquations& equations) {
 
 bool leaves_out_too_much(const ExtendedEquations& equations) {
   constexpr double kTooMuch = 30.0;  // times
-  const std::vector<ChatterEnd> ends = chatter_ends(equations);
-  return std::any_of(ends.begin(), ends.end(),
-                     [](const ChatterEnd& end) { return end.left_out > kTooMuch * kChatterLeftOut; });
+  return std::ranges::any_of(chatter_ends(equations),
+                             [](const ChatterEnd& end) { return end.left_out > kTooMuch * kChatterLeftOut; });
 }
 
 bool ends_chatter(const ExtendedEquations& equations, const OrbitGuard& guard) {
   if (guard.kind != GuardKind::interval && guard.kind != GuardKind::landing) return false;
   const Eigen::Index closing = guard.kind == GuardKind::interval ? guard.index - 1 : guard.index;
-  const std::vector<ChatterEnd> ends = chatter_ends(equations);
-  return std::any_of(ends.begin(), ends.end(),
-                     [closing](const ChatterEnd& end) { return end.closing == closing; });
-}
-
-Eigen::VectorXd tangent_with(ExtendedEquations& equations, Eigen::Index states,
-                             const Eigen::VectorXd& before) {
-  const Eigen::VectorXd tangent = first_tangent(equations);
-  const double shared =
-      tangent.head(states).dot(before.head(states)) + tangent[tangent.size() - 1] * before[before.size() - 1];
-  return shared < 0.0 ? Eigen::VectorXd(-tangent) : tangent;
+  return std::ranges::count(chatter_ends(equations), closing, &ChatterEnd::closing) > 0;
 }
 
 }  // namespace signorini

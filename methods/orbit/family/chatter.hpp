@@ -14,7 +14,7 @@ namespace signorini {
 
 /// What the impacts after the last one resolved may displace, over X: as far as any orbit of a curve may pass
 /// its stop [-]
-inline constexpr double kChatterLeftOut = 1e-11;
+inline constexpr double kChatterLeftOut = -kViolated;
 
 /// Why a curve ends where chatter stops completing: infinitely many impacts graze there, with no finite
 /// sequence beyond.
@@ -57,12 +57,5 @@ bool leaves_out_too_much(const ExtendedEquations& equations);
 
 /// Whether a guard that is zero ends a chatter: the contact rests no more after its impacts.
 bool ends_chatter(const ExtendedEquations& equations, const OrbitGuard& guard);
-
-/// The tangent where a curve goes on with other impacts, on the side of the one before: told by state and
-/// parameter, which both sequences share.
-///
-/// \param states  2 Nd
-Eigen::VectorXd tangent_with(ExtendedEquations& equations, Eigen::Index states,
-                             const Eigen::VectorXd& before);
 
 }  // namespace signorini

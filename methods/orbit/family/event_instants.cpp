@@ -20,8 +20,8 @@ double equation_of(const SequenceEvent& event, const LinearArc& arc, double gap,
 
 std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const SequencedOrbit& orbit,
                                               const CurveUnits& units, const Eigen::VectorXd& x) {
-  constexpr double kFarthest = 0.2, kShort = 0.05, kSame = 1e-9;  // rad
-  constexpr double kSameFlight = 1e-3;                            // of a short flight
+  constexpr double kFarthest = 0.2, kShort = 0.05;  // rad
+  constexpr double kSameFlight = 1e-3;              // of a short flight
   const FlowStructure& structure = model.dynamics.structure();
   const double omega = structure.frequency;
   const Eigen::Index states = model.dynamics.states();
@@ -30,15 +30,14 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
   double time = orbit.section / omega, shift = 0.0;
   const std::vector<bool>* closed = &orbit.closed;
   for (Eigen::Index i = 0; i < orbit.count(); ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const SequenceEvent& event = orbit.events[index];
+    const SequenceEvent& event = orbit.event(i);
     const int j = event.contact;
     const std::unique_ptr<LinearArc> arc = model.flows.of(*closed).arc();
     arc->start(time, state);
     double guess = (orbit.section + x[states + i] + shift) / omega;
     const bool flies = i > 0 && event.kind != ContactEvent::Kind::open &&
-                       orbit.events[index - 1].kind == ContactEvent::Kind::impact &&
-                       orbit.events[index - 1].contact == j;
+                       orbit.event(i - 1).kind == ContactEvent::Kind::impact &&
+                       orbit.event(i - 1).contact == j;
     const double flight = flies ? -2.0 * arc->displacement(j, time, 1) / arc->displacement(j, time, 2) : 0.0;
     const bool brief = flight > 0.0 && flight * omega < kShort;
     if (brief) guess = time + flight;
@@ -47,12 +46,13 @@ std::optional<Eigen::VectorXd> event_instants(OrbitModel& model, const Sequenced
                            equation_of(event, *arc, structure.gaps[j], t, 1)};
     };
     // To a tolerance that rounding of a slow approach may need.
-    const auto at = newton_zero_near(distance, {.guess = guess,
-                                                .reach = brief ? 0.5 * flight : kFarthest / omega,
-                                                .accepted = brief ? kSameFlight * flight : kSame / omega});
+    const auto at =
+        newton_zero_near(distance, {.guess = guess,
+                                    .reach = brief ? 0.5 * flight : kFarthest / omega,
+                                    .accepted = brief ? kSameFlight * flight : kSimultaneous / omega});
     // Those of one instant come in either order to rounding.
-    const bool other = i > 0 && orbit.events[index - 1].contact != j;
-    if (!at || !(*at > time - (other ? kSame / omega : 0.0))) return std::nullopt;
+    const bool other = i > 0 && orbit.event(i - 1).contact != j;
+    if (!at || !(*at > time - (other ? kSimultaneous / omega : 0.0))) return std::nullopt;
     time = *at;
     phases[i] = time * omega - orbit.section;
     shift = phases[i] - x[states + i];

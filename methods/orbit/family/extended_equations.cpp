@@ -46,9 +46,7 @@ ExtendedEquations::ExtendedEquations(OrbitFamily& family, SequencedOrbit orbit)
   jacobian_.resize(size(), size() + 1);
 }
 
-double ExtendedEquations::parameter() const {
-  return orbit_.x[orbit_.x.size() - 1] * family_.units().parameter;
-}
+double ExtendedEquations::parameter() const { return orbit_.parameter() * family_.units().parameter; }
 
 double ExtendedEquations::frequency() const { return model_->dynamics.structure().frequency; }
 
@@ -94,8 +92,7 @@ Eigen::VectorXd ExtendedEquations::residual_of(const OrbitEquations& equations, 
 int ExtendedEquations::divided(const Eigen::VectorXd& x, Eigen::Index i) const {
   constexpr double kBrief = 0.1;  // rad: longer flights have no double zero to rounding
   if (i == 0) return 0;
-  const auto later = static_cast<std::size_t>(i);
-  const SequenceEvent &before = orbit_.events[later - 1], &event = orbit_.events[later];
+  const SequenceEvent &before = orbit_.event(i - 1), &event = orbit_.event(i);
   if (event.contact != before.contact) return 0;
   const ContactDynamics& dynamics = model_->dynamics;
   if (!dynamics.halts(event.contact)) return 1;
@@ -112,12 +109,12 @@ int ExtendedEquations::divided(const Eigen::VectorXd& x, Eigen::Index i) const {
 double ExtendedEquations::divided_difference(const OrbitEquations& equations, const OrbitModel& model,
                                              const Eigen::VectorXd& x, Eigen::Index i) const {
   const ContactDynamics& dynamics = model.dynamics;
-  const auto index = static_cast<std::size_t>(i);
-  const LinearArc& arc = *equations.arcs()[index];
-  const int j = orbit_.events[index].contact, first = divided(x, i), terms = first == 1 ? 8 : 32;
-  const bool of_force = orbit_.events[index].kind == ContactEvent::Kind::open;
+  const SequenceEvent &before = orbit_.event(i - 1), &event = orbit_.event(i);
+  const LinearArc& arc = *equations.arcs()[static_cast<std::size_t>(i)];
+  const int j = event.contact, first = divided(x, i), terms = first == 1 ? 8 : 32;
+  const bool of_force = event.kind == ContactEvent::Kind::open;
   const double unit = (of_force ? dynamics.force_scale(j) : dynamics.scales().displacement) /
-                      share_of_unit(orbit_.events[index - 1], orbit_.events[index], dynamics);
+                      share_of_unit(before, event, dynamics);
   const double omega = dynamics.structure().frequency;
   const auto z = [&](double phase, int order) {
     const double t = (orbit_.section + phase) / omega;
@@ -143,9 +140,8 @@ double ExtendedEquations::divided_difference(const OrbitEquations& equations, co
 // Both are the same function of the state, up to a factor: the one that vanishes at the event.
 double ExtendedEquations::ratio_of_rows(Eigen::Index i) const {
   const ContactDynamics& dynamics = model_->dynamics;
-  const auto index = static_cast<std::size_t>(i);
-  const SequenceEvent &before = orbit_.events[index - 1], &after = orbit_.events[index];
-  const std::vector<bool>& mode = index > 1 ? orbit_.events[index - 2].closed : orbit_.closed;
+  const SequenceEvent &before = orbit_.event(i - 1), &after = orbit_.event(i);
+  const std::vector<bool>& mode = i > 1 ? orbit_.event(i - 2).closed : orbit_.closed;
   const auto of_force = [](const SequenceEvent& event) { return event.kind == ContactEvent::Kind::open; };
   const auto unit = [&](const SequenceEvent& event) {
     return of_force(event) ? dynamics.force_scale(event.contact) : dynamics.scales().displacement;
@@ -161,7 +157,7 @@ double ExtendedEquations::ratio_of_rows(Eigen::Index i) const {
 // of the stop while those that stay closed hold theirs. A damped one gives it that velocity, G = C / beta.
 double ExtendedEquations::ratio_at_release(Eigen::Index i) const {
   const ContactDynamics& dynamics = model_->dynamics;
-  const SequenceEvent& opening = orbit_.events[static_cast<std::size_t>(i - 1)];
+  const SequenceEvent& opening = orbit_.event(i - 1);
   std::vector<int> held;
   const int j = opening.contact;
   const bool rigid = dynamics.rigid(j);
@@ -208,12 +204,11 @@ bool ExtendedEquations::divide_rows(const Eigen::VectorXd& x) {
     const int power = divided(apart, i);
     const double length = apart[row] - apart[row - 1];
     const double time = length / frequency();
-    const bool released =
-        power > 1 && orbit_.events[static_cast<std::size_t>(i - 1)].kind == ContactEvent::Kind::open;
+    const bool released = power > 1 && orbit_.event(i - 1).kind == ContactEvent::Kind::open;
     const double taken = power == 3 ? 0.5 * time * time : time;
     const double ratio = released ? taken * ratio_at_release(i) : ratio_of_rows(i);
-    const auto event = orbit_.events.begin() + i;
-    const double divisor = std::pow(length, power) / share_of_unit(*(event - 1), *event, model_->dynamics);
+    const double divisor =
+        std::pow(length, power) / share_of_unit(orbit_.event(i - 1), orbit_.event(i), model_->dynamics);
     const double slope = power * divided_difference(there, *model_, apart, i) / length;
     jacobian_.row(row).head(size()) = (J.row(row) - ratio * J.row(row - 1)) / divisor;
     jacobian_(row, row) -= slope;
@@ -281,20 +276,24 @@ bool ExtendedEquations::evaluate(const Eigen::VectorXd& x) {
   return true;
 }
 
+Eigen::VectorXd ExtendedEquations::residual_beside(double step) const {
+  Eigen::VectorXd beside = orbit_.x;
+  beside[size()] += step;
+  try {
+    const auto model = family_.model(beside[size()] * family_.units().parameter);
+    if (const auto equations = evaluated(*model, beside, false))
+      return residual_of(*equations, *model, beside);
+  } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
+  }
+  return Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN());
+}
+
 const Eigen::MatrixXd& ExtendedEquations::jacobian() {
-  constexpr double kStep = 1e-7, kNear = 1e-6;  // in units of the curve
+  constexpr double kNear = 1e-6;  // in units of the curve
   if (column_at_.size() == orbit_.x.size() && (column_at_ - orbit_.x).lpNorm<Eigen::Infinity>() < kNear)
     return jacobian_;
-  Eigen::VectorXd beside = orbit_.x;
-  beside[size()] += kStep;
-  const auto model = family_.model(beside[size()] * family_.units().parameter);
-  const auto equations = evaluated(*model, beside, false);
-  if (equations) {
-    jacobian_.col(size()) = (residual_of(*equations, *model, beside) - residual_) / kStep;
-    column_at_ = orbit_.x;
-  } else {
-    jacobian_.col(size()).setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
+  jacobian_.col(size()) = (residual_beside(kDifference) - residual_) / kDifference;
+  if (jacobian_.col(size()).allFinite()) column_at_ = orbit_.x;
   return jacobian_;
 }
 
@@ -303,22 +302,9 @@ Eigen::MatrixXd ExtendedEquations::accurate_jacobian() const {
   constexpr std::array<std::pair<double, double>, 4> kWeights{
       {{1.0, 8.0}, {-1.0, -8.0}, {2.0, -1.0}, {-2.0, 1.0}}};
   Eigen::MatrixXd J = jacobian_;
-  auto column = J.col(size());
-  column.setZero();
-  for (const auto& [steps, weight] : kWeights) {
-    Eigen::VectorXd beside = orbit_.x;
-    beside[size()] += steps * kStep;
-    try {
-      const auto model = family_.model(beside[size()] * family_.units().parameter);
-      const auto equations = evaluated(*model, beside, false);
-      if (equations)
-        column += weight / (12.0 * kStep) * residual_of(*equations, *model, beside);
-      else
-        column.setConstant(std::numeric_limits<double>::quiet_NaN());
-    } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
-      column.setConstant(std::numeric_limits<double>::quiet_NaN());
-    }
-  }
+  J.col(size()).setZero();
+  for (const auto& [steps, weight] : kWeights)
+    J.col(size()) += weight / (12.0 * kStep) * residual_beside(steps * kStep);
   return J;
 }
 
@@ -328,10 +314,8 @@ Eigen::MatrixXd ExtendedEquations::conditions() const {
 }
 
 Eigen::VectorXd ExtendedEquations::state_at(double phase) const {
-  Eigen::Index i = 0;
-  while (i < orbit_.count() && orbit_.phase(i) < phase) ++i;
   State state;
-  equations_->arcs()[static_cast<std::size_t>(i)]->state(time_of(phase), state);
+  arc(orbit_.passed(phase)).state(time_of(phase), state);
   Eigen::VectorXd y(orbit_.states());
   y << state.u / family_.units().displacement, state.v / family_.units().velocity;
   return y;

@@ -9,6 +9,9 @@
 
 namespace signorini {
 
+/// The steps of forward differences along curves [CurveUnits]
+inline constexpr double kDifference = 1e-7;
+
 /// OrbitEquations of a sequence, Ns + m of them, in the unknowns x of SequencedOrbit: R(x) = 0 is a curve
 /// where [dR/dy, dR/dtheta, dR/dp] has full rank. With phases of the events as unknowns it is smooth through
 /// the grazing of an impact, and says nothing of admissibility (`survey`).
@@ -70,6 +73,14 @@ class ExtendedEquations {
   [[nodiscard]] const OrbitModel& model() const { return *model_; }  ///< there
   [[nodiscard]] const std::shared_ptr<OrbitModel>& shared_model() const { return model_; }  ///< there
   [[nodiscard]] const OrbitEquations& equations() const { return *equations_; }             ///< there
+  /// The speed at which event i strikes its stop, over V [-].
+  [[nodiscard]] double speed(Eigen::Index i) const {
+    return equations_->crossings()[static_cast<std::size_t>(i)].approach / family_.units().velocity;
+  }
+  /// The motion after i events.
+  [[nodiscard]] const LinearArc& arc(Eigen::Index i) const {
+    return *equations_->arcs()[static_cast<std::size_t>(i)];
+  }
   /// Phase after the section at a time of the arcs of `equations` [rad].
   [[nodiscard]] double phase_of(double time) const { return time * frequency() - orbit_.section; }
   /// Time of a phase after the section in the arcs [s].
@@ -89,6 +100,8 @@ class ExtendedEquations {
   [[nodiscard]] Eigen::VectorXd state_factors(const OrbitModel& model) const;
   [[nodiscard]] Eigen::VectorXd residual_of(const OrbitEquations& equations, const OrbitModel& model,
                                             const Eigen::VectorXd& x) const;
+  // R where the parameter is a step further, x else the same; NaN where there is no scene beside p.
+  [[nodiscard]] Eigen::VectorXd residual_beside(double step) const;
   // By which power k of the length since event i - 1 the equation of event i at x is divided; 0 where it is
   // not.
   [[nodiscard]] int divided(const Eigen::VectorXd& x, Eigen::Index i) const;

@@ -93,15 +93,4 @@ std::optional<double> half_period_on_step(ExtendedEquations& equations, const Cu
   return length && half_way(equations).norm() < kSame ? *length : 0.0;
 }
 
-Eigen::VectorXd moved_tangent(ExtendedEquations& moved, const SequencedOrbit& orbit,
-                              const Eigen::VectorXd& tangent, double phase) {
-  const Eigen::VectorXd result = first_tangent(moved);
-  const Eigen::Index m = orbit.count(), states = orbit.states();
-  Eigen::Index passed = 0;
-  while (passed < m && orbit.phase(passed) < phase) ++passed;
-  double shared = result[states + m] * tangent[states + m];
-  for (Eigen::Index i = 0; i < m; ++i) shared += result[states + i] * tangent[states + (i + passed) % m];
-  return shared < 0.0 ? Eigen::VectorXd(-result) : result;
-}
-
 }  // namespace signorini

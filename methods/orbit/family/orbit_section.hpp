@@ -40,12 +40,4 @@ Eigen::VectorXd half_way(const ExtendedEquations& equations);
 std::optional<double> half_period_on_step(ExtendedEquations& equations, const CurveStep& step,
                                           const Eigen::VectorXd& begin);
 
-/// The tangent of the curve at an orbit whose section was moved, on the side of the tangent before: told by
-/// the events and the parameter, which both sections share.
-///
-/// \param moved    evaluated at with_section(orbit, ..., phase)
-/// \param tangent  at `orbit`
-Eigen::VectorXd moved_tangent(ExtendedEquations& moved, const SequencedOrbit& orbit,
-                              const Eigen::VectorXd& tangent, double phase);
-
 }  // namespace signorini

@@ -19,8 +19,7 @@ State state_of(const Eigen::VectorXd& x, const ContactDynamics& dynamics, const 
 
 std::vector<PlacedEvent> placed_events(const SequencedOrbit& orbit) {
   std::vector<PlacedEvent> placed;
-  for (Eigen::Index i = 0; i < orbit.count(); ++i)
-    placed.emplace_back(orbit.phase(i), orbit.events[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < orbit.count(); ++i) placed.emplace_back(orbit.phase(i), orbit.event(i));
   return placed;
 }
 
@@ -37,7 +36,7 @@ SequencedOrbit with_events(const SequencedOrbit& orbit, std::vector<PlacedEvent>
     result.x[i++] = event.first;
     result.events.push_back(std::move(event.second));
   }
-  result.x[i] = orbit.x[orbit.x.size() - 1];
+  result.x[i] = orbit.parameter();
   return result;
 }
 
@@ -110,6 +109,12 @@ double clearance_of_section(const SequencedOrbit& orbit) {
   return m == 0 ? orbit.end() : std::min(orbit.phase(0), orbit.end() - orbit.phase(m - 1));
 }
 
+SequencedOrbit with_event(const SequencedOrbit& orbit, Eigen::Index position, PlacedEvent event) {
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  placed.insert(placed.begin() + position, std::move(event));
+  return with_modes(with_events(orbit, std::move(placed)));
+}
+
 SequencedOrbit repeated(const SequencedOrbit& orbit, int times) {
   std::vector<PlacedEvent> placed;
   for (int k = 0; k < times; ++k) {
@@ -120,27 +125,32 @@ SequencedOrbit repeated(const SequencedOrbit& orbit, int times) {
   return with_events(result, std::move(placed));
 }
 
-SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& impacts) {
+SequencedOrbit with_more(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& more) {
   std::vector<PlacedEvent> placed = placed_events(orbit);
-  for (const auto& [phase, impact] : impacts) placed.emplace_back(phase, impact);
+  placed.insert(placed.end(), more.begin(), more.end());
   return with_modes(with_events(orbit, std::move(placed)));
 }
 
 bool closed_before(const SequencedOrbit& orbit, int contact, double phase) {
-  bool closed = orbit.closed[static_cast<std::size_t>(contact)];
-  for (Eigen::Index i = 0; i < orbit.count() && orbit.phase(i) < phase; ++i)
-    closed = orbit.events[static_cast<std::size_t>(i)].closed[static_cast<std::size_t>(contact)];
-  return closed;
+  const Eigen::Index passed = orbit.passed(phase);
+  return (passed == 0 ? orbit.closed : orbit.event(passed - 1).closed)[static_cast<std::size_t>(contact)];
 }
 
 SequencedOrbit with_contact_phase(const SequencedOrbit& orbit, int contact, double phase) {
   const bool closed = closed_before(orbit, contact, phase);
-  std::vector<PlacedEvent> placed = placed_events(orbit);
-  for (const bool opens : {closed, !closed})
-    placed.emplace_back(phase,
-                        SequenceEvent{.kind = opens ? ContactEvent::Kind::open : ContactEvent::Kind::close,
-                                      .contact = contact});
-  return with_modes(with_events(orbit, std::move(placed)));
+  using Kind = ContactEvent::Kind;
+  const auto event = [&](bool opens) {
+    return PlacedEvent{phase, {.kind = opens ? Kind::open : Kind::close, .contact = contact}};
+  };
+  return with_more(orbit, {event(closed), event(!closed)});
+}
+
+SequencedOrbit with_touch(const SequencedOrbit& orbit, int contact, double phase,
+                          const ContactDynamics& dynamics) {
+  if (!dynamics.rigid(contact)) return with_contact_phase(orbit, contact, phase);
+  SequenceEvent impact{.kind = ContactEvent::Kind::impact, .contact = contact, .pushed = {contact}};
+  impact.restitution = {dynamics.restitution(contact)};
+  return with_more(orbit, {{phase, impact}});
 }
 
 SequencedOrbit with_modes(SequencedOrbit orbit) {

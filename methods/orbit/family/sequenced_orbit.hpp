@@ -29,14 +29,32 @@ struct SequencedOrbit {
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(events.size()); }
   /// Ns.
   [[nodiscard]] Eigen::Index states() const { return x.size() - count() - 1; }
+  /// Event i, from 0 to m - 1.
+  [[nodiscard]] const SequenceEvent& event(Eigen::Index i) const {
+    return events[static_cast<std::size_t>(i)];
+  }
+  /// p / P.
+  [[nodiscard]] double parameter() const { return x[x.size() - 1]; }
   /// theta_i after the section [rad].
   [[nodiscard]] double phase(Eigen::Index i) const { return x[states() + i]; }
+  /// How many events there are from the section to before a phase.
+  [[nodiscard]] Eigen::Index passed(double phase) const {
+    Eigen::Index i = 0;
+    while (i < count() && this->phase(i) < phase) ++i;
+    return i;
+  }
   /// 2 pi n [rad].
   [[nodiscard]] double end() const { return kTwoPi * order; }
 };
 
 /// (u_0, v_0) of unknowns x.
 State state_of(const Eigen::VectorXd& x, const ContactDynamics& dynamics, const CurveUnits& units);
+
+/// Events of one contact nearer to each other than this happen at once: a phase of contact that begins or has
+/// ended, one passage of a stop [rad]
+inline constexpr double kAtOnce = 1e-6;
+/// How far apart rounding puts events of several contacts that happen at one instant [rad]
+inline constexpr double kSimultaneous = 1e-9;
 
 /// An event with its phase after the section [rad].
 using PlacedEvent = std::pair<double, SequenceEvent>;
@@ -63,11 +81,15 @@ double quiet_phase(const SequencedOrbit& orbit);
 /// events [rad].
 double clearance_of_section(const SequencedOrbit& orbit);
 
+/// The orbit with another event, before that at a position, whose phases are around that given. The contacts
+/// closed after each event follow from closings and openings.
+SequencedOrbit with_event(const SequencedOrbit& orbit, Eigen::Index position, PlacedEvent event);
+
 /// The same orbit, passed `times` times.
 SequencedOrbit repeated(const SequencedOrbit& orbit, int times);
 
-/// The orbit with more impacts. The contacts closed are those of the moment.
-SequencedOrbit with_impacts(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& impacts);
+/// The orbit with more events, each behind those of its phase. The contacts closed are those of the moment.
+SequencedOrbit with_more(const SequencedOrbit& orbit, const std::vector<PlacedEvent>& more);
 
 /// Whether a contact is closed before the events at a phase after the section.
 bool closed_before(const SequencedOrbit& orbit, int contact, double phase);
@@ -75,6 +97,11 @@ bool closed_before(const SequencedOrbit& orbit, int contact, double phase);
 /// The orbit with a closing and an opening, or the other way round where it is closed there, of a contact at
 /// one phase after the section: a phase of contact, or a break of one, of length 0.
 SequencedOrbit with_contact_phase(const SequencedOrbit& orbit, int contact, double phase);
+
+/// The orbit with what begins where a contact touches its stop: an impact at a rigid one, else a phase of
+/// contact of length 0, or a break of one.
+SequencedOrbit with_touch(const SequencedOrbit& orbit, int contact, double phase,
+                          const ContactDynamics& dynamics);
 
 /// The orbit with the contacts closed after each event as closings and openings say.
 SequencedOrbit with_modes(SequencedOrbit orbit);

@@ -13,6 +13,11 @@ namespace signorini {
 
 namespace {
 
+// Whether one of those that an event strikes comes to rest.
+bool keeps_none(const SequenceEvent& event) {
+  return std::ranges::find(event.restitution, 0.0) != event.restitution.end();
+}
+
 class Surveyor {
  public:
   explicit Surveyor(const ExtendedEquations& equations)
@@ -50,14 +55,14 @@ class Surveyor {
   }
   // Of several maxima of one contact the largest is the guard.
   void lower(GuardKind kind, int index, double value, double phase, Eigen::Index part) {
-    result_.maxima.push_back(
-        {.guard = {.kind = kind, .index = index, .value = value, .phase = phase}, .part = part});
+    const OrbitGuard found{.kind = kind, .index = index, .value = value, .phase = phase};
+    result_.maxima.push_back({found, part});
     for (OrbitGuard& guard : result_.guards) {
-      if (guard.kind != kind || guard.index != index) continue;
-      if (value < guard.value) guard = {.kind = kind, .index = index, .value = value, .phase = phase};
+      if (!guard.same(found)) continue;
+      if (value < guard.value) guard = found;
       return;
     }
-    add(kind, index, value, phase);
+    result_.guards.push_back(found);
   }
 
   void events(bool with_corners) {
@@ -68,52 +73,46 @@ class Surveyor {
   }
 
   void event(Eigen::Index i) {
-    const auto index = static_cast<std::size_t>(i);
     const auto number = static_cast<int>(i);
-    const SequenceEvent& event = orbit_.events[index];
+    const SequenceEvent& event = orbit_.event(i);
     const double phase = orbit_.phase(i);
     if (orbit_.count() > 1) {
       const double before = i == 0 ? orbit_.phase(orbit_.count() - 1) - orbit_.end() : orbit_.phase(i - 1);
       add(GuardKind::interval, number, (phase - before) * interval_weight(equations_, i), phase);
     }
-    if (event.kind != ContactEvent::Kind::open)
-      add(GuardKind::approach, number, equations_.equations().crossings()[index].approach / V_, phase);
-    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    if (event.kind != ContactEvent::Kind::open) add(GuardKind::approach, number, equations_.speed(i), phase);
+    const LinearArc& after = equations_.arc(i + 1);
     const double time = equations_.time_of(phase);
     if (event.pushed.size() > 1) together(i, time);
     if (event.kind == ContactEvent::Kind::close && dynamics_.rigid(event.contact))
       add(GuardKind::landing, number,
           -after.force(event.contact, time) / dynamics_.force_scale(event.contact), phase);
     if (event.kind != ContactEvent::Kind::impact) return;
-    if (std::find(event.restitution.begin(), event.restitution.end(), 0.0) != event.restitution.end() &&
-        event.pushed.size() == 1)
+    if (keeps_none(event) && event.pushed.size() == 1)
       add(GuardKind::release, number,
           -after.displacement(event.contact, time, 2) / (V_ * equations_.frequency()), phase);
   }
 
   void together(Eigen::Index i, double time) {
-    constexpr double kTogether = 1e-9;
-    const auto index = static_cast<std::size_t>(i);
-    const LinearArc& before = *equations_.equations().arcs()[index];
+    const LinearArc& before = equations_.arc(i);
     double apart = 0.0;
     int struck = 0;
-    for (const int j : orbit_.events[index].pushed) {
+    for (const int j : orbit_.event(i).pushed) {
       if (before.mode().closed(j)) continue;
       ++struck;
       apart = std::max(apart, std::abs(dynamics_.structure().gaps[j] - before.displacement(j, time)) / X_);
     }
     if (struck < 2) return;
-    add(GuardKind::together, static_cast<int>(i), kTogether - apart, orbit_.phase(i));
+    add(GuardKind::together, static_cast<int>(i), kTouches - apart, orbit_.phase(i));
   }
 
   // Local maxima of other contacts that the jump of their velocity makes.
   void corners(Eigen::Index i) {
-    const auto index = static_cast<std::size_t>(i);
-    const SequenceEvent& event = orbit_.events[index];
+    const SequenceEvent& event = orbit_.event(i);
     pressed_corners(i);
     if (event.kind != ContactEvent::Kind::impact) return;
-    const LinearArc& before = *equations_.equations().arcs()[index];
-    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    const LinearArc& before = equations_.arc(i);
+    const LinearArc& after = equations_.arc(i + 1);
     const double phase = orbit_.phase(i), time = equations_.time_of(phase);
     for (int j = 0; j < dynamics_.contact_count(); ++j) {
       if (j == event.contact || before.mode().closed(j) || after.mode().closed(j)) continue;
@@ -127,10 +126,9 @@ class Surveyor {
 
   // The same of the forces of springs that stay pressed, and what a damped stop makes of those of others.
   void pressed_corners(Eigen::Index i) {
-    const auto index = static_cast<std::size_t>(i);
-    const SequenceEvent& event = orbit_.events[index];
-    const LinearArc& before = *equations_.equations().arcs()[index];
-    const LinearArc& after = *equations_.equations().arcs()[index + 1];
+    const SequenceEvent& event = orbit_.event(i);
+    const LinearArc& before = equations_.arc(i);
+    const LinearArc& after = equations_.arc(i + 1);
     const double time = equations_.time_of(orbit_.phase(i));
     for (const int j : before.mode().active) {
       if (j == event.contact || dynamics_.rigid(j) || !after.mode().closed(j)) continue;
@@ -157,27 +155,25 @@ class Surveyor {
   // restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
   [[nodiscard]] bool leaves_rest(Eigen::Index part, int j) const {
     if (part == 0 || !dynamics_.halts(j)) return false;
-    const SequenceEvent& event = orbit_.events[static_cast<std::size_t>(part - 1)];
+    const SequenceEvent& event = orbit_.event(part - 1);
     if (event.contact != j) return false;
-    const bool keeps_none =
-        event.kind == ContactEvent::Kind::impact &&
-        std::find(event.restitution.begin(), event.restitution.end(), 0.0) != event.restitution.end();
-    return event.kind == ContactEvent::Kind::open || keeps_none;
+    return event.kind == ContactEvent::Kind::open ||
+           (event.kind == ContactEvent::Kind::impact && keeps_none(event));
   }
 
   void arc(Eigen::Index part, int j, double begin, double end) {
-    const LinearArc& arc = *equations_.equations().arcs()[static_cast<std::size_t>(part)];
-    constexpr double kUnseen = 1e-13;  // share of X: modes below do not move an extreme
+    const LinearArc& arc = equations_.arc(part);
+    constexpr double kUnseen = 1e-13;  // share of X: rounding, and modes that do not move an extreme
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen);
     const bool closed = arc.mode().closed(j);
     const double gap = dynamics_.structure().gaps[j];
     const LimitedOutput x{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
-    constexpr double kBeside = 1e-4, kRounding = 1e-13;  // rad; of X
+    constexpr double kBeside = 1e-4;  // rad
     const double resting = leaves_rest(part, j) ? begin + kBeside / equations_.frequency() : begin;
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
       result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
       result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
-      if (at.maximum && !closed && !(at.time < resting && std::abs(at.value) < kRounding))
+      if (at.maximum && !closed && !(at.time < resting && std::abs(at.value) < kUnseen))
         lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time), part);
     }
     if (!closed) return;
@@ -198,9 +194,8 @@ class Surveyor {
 }  // namespace
 
 const OrbitGuard* OrbitSurvey::find(GuardKind kind, int index) const {
-  const auto found = std::find_if(guards.begin(), guards.end(), [&](const OrbitGuard& guard) {
-    return guard.kind == kind && guard.index == index;
-  });
+  const auto found = std::ranges::find_if(
+      guards, [&](const OrbitGuard& guard) { return guard.kind == kind && guard.index == index; });
   return found == guards.end() ? nullptr : &*found;
 }
 
@@ -215,20 +210,24 @@ std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind
   return Surveyor(equations).guard(kind, index);
 }
 
+std::optional<double> guard_value(const ExtendedEquations& equations, GuardKind kind, int index) {
+  const auto guard = guard_of(equations, kind, index);
+  return guard ? std::optional(guard->value) : std::nullopt;
+}
+
 std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations) {
   return Surveyor(equations).of_events();
 }
 
 double value_at(const ExtendedEquations& equations, const GuardMaximum& maximum) {
-  const auto part = static_cast<std::size_t>(maximum.part);
-  const LinearArc& arc = *equations.equations().arcs()[part];
-  const int j = maximum.guard.index;
-  const bool corner = maximum.guard.kind == GuardKind::corner;
-  const double time = equations.time_of(corner ? equations.orbit().phase(maximum.part) : maximum.guard.phase);
+  const LinearArc& arc = equations.arc(maximum.part);
+  const int j = maximum.index;
+  const bool corner = maximum.kind == GuardKind::corner;
+  const double time = equations.time_of(corner ? equations.orbit().phase(maximum.part) : maximum.phase);
   const ContactDynamics& dynamics = equations.model().dynamics;
-  if (maximum.guard.kind == GuardKind::pressure) return -arc.force(j, time) / dynamics.force_scale(j);
+  if (maximum.kind == GuardKind::pressure) return -arc.force(j, time) / dynamics.force_scale(j);
   if (corner && arc.mode().closed(j))
-    return -equations.equations().arcs()[part + 1]->force(j, time) / dynamics.force_scale(j);
+    return -equations.arc(maximum.part + 1).force(j, time) / dynamics.force_scale(j);
   const double gap = dynamics.structure().gaps[j];
   return (gap - arc.displacement(j, time)) / equations.family().units().displacement;
 }
@@ -238,29 +237,24 @@ bool is_grazing(const OrbitGuard& guard, const ExtendedEquations& equations) {
   if (guard.kind == GuardKind::clearance) return dynamics.halts(guard.index);
   if (guard.kind != GuardKind::approach && guard.kind != GuardKind::interval) return false;
   const SequencedOrbit& orbit = equations.orbit();
-  const auto index = static_cast<std::size_t>(guard.index);
-  const SequenceEvent& event = orbit.events[index];
-  const bool follows = index > 0 && orbit.events[index - 1].contact == event.contact;
+  const SequenceEvent& event = orbit.event(guard.index);
+  const bool follows = guard.index > 0 && orbit.event(guard.index - 1).contact == event.contact;
   const bool damped = dynamics.halts(event.contact) && !dynamics.rigid(event.contact);
   if (guard.kind == GuardKind::interval) return damped && follows && event.kind == ContactEvent::Kind::open;
   if (!damped) return event.kind == ContactEvent::Kind::impact;
   // Else the contact, let go for a moment, closes again at once.
-  constexpr double kAtOnce = 1e-6;  // rad
   return !follows || orbit.phase(guard.index) - orbit.phase(guard.index - 1) > kAtOnce;
 }
 
 std::string describe(const OrbitGuard& guard, const SequencedOrbit& orbit, const ContactDynamics& dynamics) {
-  const auto event = [&]() -> const SequenceEvent& {
-    return orbit.events[static_cast<std::size_t>(guard.index)];
-  };
+  const auto event = [&]() -> const SequenceEvent& { return orbit.event(guard.index); };
   switch (guard.kind) {
     case GuardKind::approach:
       return event().kind == ContactEvent::Kind::impact
                  ? fmt::format("the speed of an impact of contact {} tends to zero", event().contact)
                  : fmt::format("contact {} stops pressing", event().contact);
     case GuardKind::interval: {
-      const std::size_t count = orbit.events.size();
-      const SequenceEvent& before = orbit.events[(static_cast<std::size_t>(guard.index) + count - 1) % count];
+      const SequenceEvent& before = orbit.event((guard.index + orbit.count() - 1) % orbit.count());
       if (before.contact == event().contact)
         return fmt::format("two events of contact {} meet", event().contact);
       return fmt::format("events of contacts {} and {} coincide", before.contact, event().contact);

@@ -10,6 +10,12 @@
 
 namespace signorini {
 
+/// A guard below this is violated: the orbit is not admissible, having passed its stop by more than any orbit
+/// of a curve may [-]
+inline constexpr double kViolated = -1e-11;
+/// How near to zero a guard is where contacts touch or let go, and what a symmetry holds together parts [-]
+inline constexpr double kTouches = 1e-9;
+
 /// What a test function of admissibility measures.
 enum class GuardKind {
   approach,   ///< of an event: x'_- of an impact or closing over V
@@ -41,9 +47,8 @@ struct OrbitGuard {
 };
 
 /// One of the maxima of which OrbitGuard has the largest: of clearance, corner or pressure.
-struct GuardMaximum {
-  OrbitGuard guard;       ///< as if it were the only one
-  Eigen::Index part = 0;  ///< the arc that it lies on, after `part` events; of a corner its event
+struct GuardMaximum : OrbitGuard {  // as if it were the only one
+  Eigen::Index part = 0;            ///< the arc that it lies on, after `part` events; of a corner its event
 };
 
 /// All test functions of an orbit, and its extremes.
@@ -60,6 +65,9 @@ OrbitSurvey survey(const ExtendedEquations& equations);
 
 /// One of these test functions alone; empty where it does not exist.
 std::optional<OrbitGuard> guard_of(const ExtendedEquations& equations, GuardKind kind, int index);
+
+/// Its value [-].
+std::optional<double> guard_value(const ExtendedEquations& equations, GuardKind kind, int index);
 
 /// Those of `guards` that belong to events alone, for one phase is all that they take.
 std::vector<OrbitGuard> event_guards(const ExtendedEquations& equations);

@@ -33,16 +33,14 @@ GuardCubic::Lowest GuardCubic::lowest() const {
 
 std::vector<TrackedGuard> tracked_guards(ExtendedEquations& equations, const Eigen::VectorXd& x,
                                          const Eigen::VectorXd& tangent, const OrbitSurvey& found) {
-  constexpr double kStep = 1e-7;  // in units of the curve, as that of dR/dp
   const Eigen::Index states = equations.orbit().states(), events = equations.orbit().count();
-  Eigen::VectorXd beside = x + kStep * tangent;
+  Eigen::VectorXd beside = x + kDifference * tangent;
   equations.settle(beside);
   if (!equations.evaluate_motion(beside)) return {};
   std::vector<TrackedGuard> tracked;
   const std::vector<OrbitGuard> moved = event_guards(equations);
   for (const OrbitGuard& guard : found.guards) {
-    const auto same =
-        std::find_if(moved.begin(), moved.end(), [&](const OrbitGuard& other) { return other.same(guard); });
+    const auto same = std::ranges::find_if(moved, [&](const OrbitGuard& other) { return other.same(guard); });
     if (same == moved.end() || guard.kind == GuardKind::together)
       continue;  // which has a corner where it holds
     double change = same->value - guard.value;
@@ -50,28 +48,23 @@ std::vector<TrackedGuard> tracked_guards(ExtendedEquations& equations, const Eig
       // As the tangent has it: the length of a chatter's last flights is below the error of a difference.
       const Eigen::Index later = states + guard.index;
       const Eigen::Index earlier = states + (guard.index + events - 1) % events;
-      change = kStep * (tangent[later] - tangent[earlier]) * interval_weight(equations, guard.index);
+      change = kDifference * (tangent[later] - tangent[earlier]) * interval_weight(equations, guard.index);
     }
-    tracked.push_back({.guard = {.guard = guard, .part = guard.index}, .rate = change / kStep});
+    tracked.push_back({{guard, guard.index}, change / kDifference});
   }
   for (const GuardMaximum& maximum : found.maxima)
-    tracked.push_back(
-        {.guard = maximum, .rate = (value_at(equations, maximum) - maximum.guard.value) / kStep});
+    tracked.push_back({maximum, (value_at(equations, maximum) - maximum.value) / kDifference});
   return tracked;
 }
 
 namespace {
 
-bool of_one_kind(const TrackedGuard& a, const TrackedGuard& b) {
-  return a.guard.part == b.guard.part && a.guard.guard.same(b.guard.guard);
-}
+bool of_one_kind(const TrackedGuard& a, const TrackedGuard& b) { return a.part == b.part && a.same(b); }
 
 // The one that is nearest in phase to a guard at the other end; null where there is none.
 const TrackedGuard* nearest_guard(const TrackedGuard& guard, const std::vector<TrackedGuard>& others) {
   const TrackedGuard* best = nullptr;
-  const auto distance = [&](const TrackedGuard& other) {
-    return std::abs(other.guard.guard.phase - guard.guard.guard.phase);
-  };
+  const auto distance = [&](const TrackedGuard& other) { return std::abs(other.phase - guard.phase); };
   for (const TrackedGuard& other : others) {
     if (of_one_kind(guard, other) && (best == nullptr || distance(other) < distance(*best))) best = &other;
   }

@@ -28,8 +28,7 @@ struct GuardCubic {
 };
 
 /// A guard, or one maximum of a guard, with its derivative along the curve.
-struct TrackedGuard {
-  GuardMaximum guard;
+struct TrackedGuard : GuardMaximum {
   double rate = 0.0;  ///< d value / d arc length [-]
 };
 

@@ -51,7 +51,7 @@ SequencedOrbit with_passages(const SequencedOrbit& orbit, const std::vector<Graz
     placed.emplace_back(phase < 0.0 ? phase + orbit.end() : phase,
                         SequenceEvent{.kind = ContactEvent::Kind::impact, .contact = touches[a].contact});
   }
-  return with_impacts(orbit, placed);
+  return with_more(orbit, placed);
 }
 
 // The derivative of the displacement at a passage with respect to the state at the section, the instants of

@@ -65,7 +65,7 @@ TEST_F(DescriptionsOfAnOrbit, HaveOneLeastPeriod) {
 }
 
 TEST_F(DescriptionsOfAnOrbit, TakeEventsInOrderAndGiveThemBack) {
-  const SequencedOrbit more = with_impacts(orbit_, {{11.0, orbit_.events[0]}, {0.5, orbit_.events[0]}});
+  const SequencedOrbit more = with_more(orbit_, {{11.0, orbit_.events[0]}, {0.5, orbit_.events[0]}});
   ASSERT_EQ(more.count(), 3);
   EXPECT_EQ(more.phase(0), 0.5);
   EXPECT_EQ(more.phase(1), orbit_.phase(0));
