@@ -24,10 +24,10 @@ struct Eigenbasis {
 
 /// That of a real n x n matrix: values and vectors are those of A + dA, |dA| a small multiple of n epsilon
 /// |A|, each vector with a dA of its own. Householder reduction to Hessenberg form, Francis' steps with two
-/// shifts and back substitution, some 30 n^3 operations. None where an entry is not finite, the steps
-/// do not converge (30 n of them), or vectors depend on each other exactly; a defective matrix mostly has
-/// vectors that do so nearly, and an inverse of 1 / epsilon: |X_k| |X^-1 row k| is the condition of a value.
-/// Source: [golub2013], sections 7.4 to 7.6.
+/// shifts and back substitution, by Eigen, some 30 n^3 operations. None where an entry is not finite, the
+/// steps do not converge, or vectors depend on each other exactly; a defective matrix mostly has vectors that
+/// do so nearly, and an inverse of 1 / epsilon: |X_k| |X^-1 row k| is the condition of a value. Source:
+/// [golub2013], sections 7.4 to 7.6.
 std::optional<Eigenbasis> eigenbasis(const ExtendedMatrix& A);
 
 }  // namespace signorini::extended

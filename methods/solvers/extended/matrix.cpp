@@ -20,6 +20,10 @@ Eigen::MatrixXd rounded(const ExtendedMatrix& A) {
   return narrow;
 }
 
+bool all_finite(const ExtendedMatrix& A) {
+  return std::all_of(A.data(), A.data() + A.size(), [](long double a) { return std::isfinite(a); });
+}
+
 ExtendedMatrix identity(Index n) {
   ExtendedMatrix I(n, n);
   std::fill_n(I.data(), I.size(), 0.0L);

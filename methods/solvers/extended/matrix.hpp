@@ -19,6 +19,9 @@ ExtendedMatrix widened(const Eigen::MatrixXd& A);
 /// A in double, each entry rounded to the nearest.
 Eigen::MatrixXd rounded(const ExtendedMatrix& A);
 
+/// Whether no entry is infinite or not a number.
+bool all_finite(const ExtendedMatrix& A);
+
 /// n x n.
 ExtendedMatrix identity(Eigen::Index n);
 

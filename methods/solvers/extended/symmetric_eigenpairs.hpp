@@ -16,8 +16,8 @@ struct SymmetricEigenpairs {
 
 /// Those of a symmetric n x n matrix, of which the lower triangle is read: they are those of A + dA, and V is
 /// orthonormal within rounding, |dA| a small multiple of n epsilon |A|. Householder tridiagonalisation and
-/// implicit QR steps with Wilkinson's shift, some 9 n^3 operations. None where an entry is not finite,
-/// or the steps do not converge, which is not known to happen.
+/// implicit QR steps, by Eigen, some 9 n^3 operations. None where an entry is not finite, or the steps do not
+/// converge, which is not known to happen.
 /// Source: [golub2013], section 8.3.
 std::optional<SymmetricEigenpairs> symmetric_eigenpairs(const ExtendedMatrix& A);
 
