@@ -157,11 +157,8 @@ OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& opti
       return {.orbit = std::move(found), .attempts = 1};
   Search search(model_, options);
   OrbitSearch result = search.run(guess);
-  if (idle_parts_held_ && result.orbit.certified()) {
-    result.orbit.multipliers.resize(0);
-    result.orbit.orders.clear();
-    result.orbit.undefined = "a free part that no contact meets may be anywhere";
-  }
+  if (idle_parts_held_ && result.orbit.certified())
+    result.orbit.leave_undefined("a free part that no contact meets may be anywhere");
   if (result.orbit.certified() || options.free_families != FreeFamilies::last) return result;
   std::optional<OrbitGuess> free = search.free();
   if (!free && result.orbit.trajectory) free = untouched(result.orbit.trajectory->orbit());

@@ -91,6 +91,8 @@ struct ExactOrbit {
   [[nodiscard]] bool certified() const {
     return outcome == OrbitOutcome::converged || outcome == OrbitOutcome::chatter;
   }
+  /// Takes the multipliers away.
+  void leave_undefined(std::string why);
   /// "largest multiplier 0.7", or what they are undefined for.
   [[nodiscard]] std::string describe_multipliers() const;
 };

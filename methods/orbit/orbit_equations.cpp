@@ -34,10 +34,6 @@ OrbitModel::OrbitModel(const OrbitModel& other, double frequency, std::shared_pt
 OrbitModel::OrbitModel(const OrbitModel& other, FlowForm form)
     : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
 
-OrbitModel::~OrbitModel() = default;
-
-OrbitEquations::~OrbitEquations() = default;
-
 OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired, Columns columns)
     : model_(model),
       sequence_(guess),
@@ -105,22 +101,30 @@ void OrbitEquations::carry(Eigen::Index i, double duration) {
   reading_.rightCols(n_) *= v_unit_;
 }
 
-// Equation i and the state before event i.
-void OrbitEquations::pass_event(Eigen::Index i) {
+// Equation i, and what the impulses of event i make of the state and its sensitivities.
+void OrbitEquations::pass_event(Eigen::Index i, bool derivatives) {
   const auto index = static_cast<std::size_t>(i);
   const SequenceEvent& event = sequence_.events[index];
   const LinearArc& arc = *arcs_[index];
   const EventLaw& law = laws_[index];
-  arc.state(event.time, state_);
+  const FlowStructure& structure = model_.dynamics.structure();
   EventCrossing& crossing = crossings_[index];
+  arc.state(event.time, state_);
   crossing.approach = arc.displacement(event.contact, event.time, 1);
-  if (law.of_force) {
-    residual_[states_ + i] = arc.force(event.contact, event.time) / law.unit;
-  } else {
-    residual_[states_ + i] =
-        (arc.displacement(event.contact, event.time) - model_.dynamics.structure().gaps[event.contact]) /
-        law.unit;
-  }
+  residual_[states_ + i] =
+      (law.of_force ? arc.force(event.contact, event.time)
+                    : arc.displacement(event.contact, event.time) - structure.gaps[event.contact]) /
+      law.unit;
+  if (derivatives) differentiate_event(i);
+  if (event.pushed.empty()) return;
+  crossing.speeds = image_by_transposed_columns(structure.directions, event.pushed, state_.v);
+  crossing.impulses = image(law.impulse, state_.v);
+  // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
+  // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
+  state_.v += image(law.response, crossing.impulses);
+  if (!derivatives) return;
+  auto rates = sensitivity_.bottomLeftCorner(n_, of_state_ + i + 1);
+  rates += product(law.response, product(law.impulse, rates));
 }
 
 // The row of event i, and the sensitivities before it with those by its own instant.
@@ -147,24 +151,6 @@ void OrbitEquations::differentiate_event(Eigen::Index i) {
       t_unit_ * (law.of_force ? arc.force(event.contact, event.time, 1) : crossings_[index].approach) /
       law.unit;
   jacobian_.row(row).tail(m_ - i - 1).setZero();
-}
-
-// What the impulses of event i make of the state and its sensitivities.
-void OrbitEquations::push(Eigen::Index i, bool derivatives) {
-  const auto index = static_cast<std::size_t>(i);
-  const SequenceEvent& event = sequence_.events[index];
-  const ContactDynamics& dynamics = model_.dynamics;
-  const EventLaw& law = laws_[index];
-  if (event.pushed.empty()) return;
-  EventCrossing& crossing = crossings_[index];
-  crossing.speeds = image_by_transposed_columns(dynamics.structure().directions, event.pushed, state_.v);
-  crossing.impulses = image(law.impulse, state_.v);
-  // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
-  // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
-  state_.v += image(law.response, crossing.impulses);
-  if (!derivatives) return;
-  auto rates = sensitivity_.bottomLeftCorner(n_, of_state_ + i + 1);
-  rates += product(law.response, product(law.impulse, rates));
 }
 
 void OrbitEquations::differentiate_closure() {
@@ -207,9 +193,7 @@ void OrbitEquations::pass(const Eigen::VectorXd& unknowns, bool derivatives) {
       break;
     }
     sequence_.events[index].time = end;
-    pass_event(i);
-    if (derivatives) differentiate_event(i);
-    push(i, derivatives);
+    pass_event(i, derivatives);
     largest_state_ = std::max({largest_state_, state_.u.lpNorm<Eigen::Infinity>() / x_unit_,
                                state_.v.lpNorm<Eigen::Infinity>() / v_unit_});
     begin = end;
@@ -265,13 +249,11 @@ bool OrbitEquations::may_overtake(Eigen::Index i, Eigen::Index k) const {
 }
 
 std::vector<int> OrbitGuess::closings() const {
-  const std::vector<bool>* before = &start.closed;
-  std::vector<int> count(before->size(), 0);
-  for (const SequenceEvent& event : events) {
+  std::vector<int> count(start.closed.size(), 0);
+  for (std::size_t i = 0; i < events.size(); ++i) {
     for (std::size_t j = 0; j < count.size(); ++j) {
-      if (event.closed[j] && !(*before)[j]) ++count[j];
+      if (events[i].closed[j] && !closed_before(i)[j]) ++count[j];
     }
-    before = &event.closed;
   }
   return count;
 }
@@ -299,6 +281,12 @@ std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Ind
                                   found.values.head(rank).cwiseInverse().asDiagonal() *
                                   found.U.leftCols(rank).transpose(),
                        .condition = found.values[0] / found.values[rank - 1]};
+}
+
+std::optional<FamilyInverse> family_inverse(const OrbitEquations& equations, double reciprocal_condition) {
+  constexpr double kFamilyCondition = 1e-12;
+  if (reciprocal_condition > kFamilyCondition || !touches(equations.sequence())) return std::nullopt;
+  return family_inverse(equations.jacobian(), equations.size() - equations.events());
 }
 
 }  // namespace signorini

@@ -26,7 +26,6 @@ struct OrbitModel {
   OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared);
   /// The same scene with flows of another form.
   OrbitModel(const OrbitModel& other, FlowForm form);
-  ~OrbitModel();
   /// Its parts refer to each other.
   OrbitModel(const OrbitModel&) = delete;
   OrbitModel& operator=(const OrbitModel&) = delete;
@@ -42,6 +41,10 @@ struct OrbitGuess {
   std::vector<SequenceEvent> events;  ///< times ascending in (start.time, start.time + period)
   std::string origin;                 ///< how it was found, for messages
 
+  /// The contacts closed before event i, Nc; of m, those after the last one.
+  [[nodiscard]] const std::vector<bool>& closed_before(std::size_t i) const {
+    return i == 0 ? start.closed : events[i - 1].closed;
+  }
   /// How often each contact closes and stays, Nc; several may at one event.
   [[nodiscard]] std::vector<int> closings() const;
 };
@@ -78,7 +81,6 @@ class OrbitEquations {
   /// \throws std::runtime_error if a flow cannot be formed, or the time is up
   OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired = {},
                  Columns columns = Columns::all);
-  ~OrbitEquations();
   OrbitEquations(const OrbitEquations&) = delete;
   OrbitEquations& operator=(const OrbitEquations&) = delete;
 
@@ -119,6 +121,8 @@ class OrbitEquations {
   /// Whether event i may come before event k < i and the equations still mean the same motion: impacts of two
   /// contacts that do not feel each other through the mass.
   [[nodiscard]] bool may_overtake(Eigen::Index i, Eigen::Index k) const;
+  /// The orbit of the last evaluation, its state at the section apart.
+  [[nodiscard]] const OrbitGuess& sequence() const { return sequence_; }
   /// The orbit of given unknowns, with the sequence of this one.
   [[nodiscard]] OrbitGuess orbit(const Eigen::VectorXd& unknowns) const;
 
@@ -131,9 +135,8 @@ class OrbitEquations {
   };
   void pass(const Eigen::VectorXd& unknowns, bool derivatives);
   void carry(Eigen::Index i, double duration);
-  void pass_event(Eigen::Index i);
+  void pass_event(Eigen::Index i, bool derivatives);
   void differentiate_event(Eigen::Index i);
-  void push(Eigen::Index i, bool derivatives);
   void differentiate_closure();
   [[nodiscard]] bool jumps(const SequenceEvent& event) const;
 
@@ -186,14 +189,14 @@ struct FamilyInverse {
   double condition = 1.0;   ///< of J without the family [-]
 };
 
-/// Condition of a Jacobian, reciprocal, from which on it is asked for a family: beyond it a step is rounding
-/// [-].
-inline constexpr double kFamilyCondition = 1e-12;
-
 /// The pseudo-inverse of a Jacobian J that is singular for nothing but displacements at rest: no velocity and
 /// no instant of an event changes along them, as where a gear pair turns as one, or nothing touches.
 /// Equations of an orbit stay solvable there. Nothing for any other J: to 1e-9 of its largest singular value,
 /// 1e-6 of a direction's length. \param states  Ns, of which the first half at least are displacements
 std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Index states);
+
+/// That of equations where they are evaluated; nothing where nothing touches, and for a Jacobian whose
+/// reciprocal condition is above 1e-12: below it a step is rounding.
+std::optional<FamilyInverse> family_inverse(const OrbitEquations& equations, double reciprocal_condition);
 
 }  // namespace signorini
