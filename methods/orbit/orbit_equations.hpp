@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
@@ -44,6 +45,11 @@ struct OrbitGuess {
   /// The contacts closed before event i, Nc; of m, those after the last one.
   [[nodiscard]] const std::vector<bool>& closed_before(std::size_t i) const {
     return i == 0 ? start.closed : events[i - 1].closed;
+  }
+  /// Begin and end of arc i, in a motion of a period [s].
+  [[nodiscard]] std::pair<double, double> span(std::size_t i, double period) const {
+    return {i == 0 ? start.time : events[i - 1].time,
+            i < events.size() ? events[i].time : start.time + period};
   }
   /// How often each contact closes and stays, Nc; several may at one event.
   [[nodiscard]] std::vector<int> closings() const;
