@@ -88,20 +88,17 @@ class ImpactBalance {
  private:
   // Where free motions return by themselves: the contact's place is one more equation.
   void border(const Eigen::VectorXd& w) {
-    const Eigen::Index p = structure_.positions(), n = structure_.size(), states = p + n;
-    const double length = structure_.scales.displacement, speed = structure_.scales.velocity;
+    const Eigen::Index n = structure_.size(), states = structure_.states();
     units_.resize(states + 1);
-    units_ << Eigen::VectorXd::Constant(p, length), Eigen::VectorXd::Constant(n, speed),
-        speed / w.dot(struck_.tail(n));
+    units_ << state_units(*flow_, structure_.scales), structure_.scales.velocity / w.dot(struck_.tail(n));
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(states + 1, states + 1);
     matrix.topLeftCorner(states, states) = -flow_->transition(period_);
     matrix.diagonal().head(states).array() += 1.0;
     matrix.col(states).head(states) = -struck_;
     matrix.row(states).head(n) = w.transpose();
-    Eigen::VectorXd rows = units_;
-    rows[states] = length;
-    bordered_.emplace(Eigen::MatrixXd(rows.cwiseInverse().asDiagonal() * matrix * units_.asDiagonal()));
-    rows_ = rows;
+    rows_ = units_;
+    rows_[states] = structure_.scales.displacement;
+    bordered_.emplace(Eigen::MatrixXd(rows_.cwiseInverse().asDiagonal() * matrix * units_.asDiagonal()));
     arc_ = flow_->arc();
   }
   // The state right after an impact at a time and its impulse, Ns + 1.
@@ -136,26 +133,24 @@ std::vector<SequencedOrbit> one_impact_orbits(OrbitFamily& family, double parame
   if (!balance.defined()) return {};
   const FlowStructure& structure = model->dynamics.structure();
   const double T = structure.forcing_period;
-  std::vector<double> times;
-  if (!family.driven()) {
-    times.push_back(0.5 * T);
-  } else {
-    double before = balance.defect(0.0);
-    for (int i = 1; i <= kSamples; ++i) {
-      const double low = (i - 1) * T / kSamples, high = i * T / kSamples;
-      const double after = balance.defect(high);
-      if (before * after < 0.0) {
-        const auto defect = [&](double time) { return balance.defect(time); };
-        const auto zero = bracketed_zero(defect, {low, before, high, after}, kEpsilon * T);
-        if (zero) times.push_back(zero->a);
-      }
-      before = after;
-    }
-  }
   std::vector<SequencedOrbit> orbits;
-  for (const double time : times) {
+  const auto add = [&](double time) {
     if (balance.impulse(time) < 0.0)
       orbits.push_back(sequenced(family, balance.orbit(time), order * T, structure.frequency, parameter));
+  };
+  if (!family.driven()) {
+    add(0.5 * T);
+    return orbits;
+  }
+  const auto defect = [&](double time) { return balance.defect(time); };
+  double before = defect(0.0);
+  for (int i = 1; i <= kSamples; ++i) {
+    const double low = (i - 1) * T / kSamples, high = i * T / kSamples;
+    const double after = defect(high);
+    if (before * after < 0.0) {
+      if (const auto zero = bracketed_zero(defect, {low, before, high, after}, kEpsilon * T)) add(zero->a);
+    }
+    before = after;
   }
   return orbits;
 }
