@@ -1,5 +1,6 @@
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 
+#include <array>
 #include <string>
 #include <utility>
 #include <variant>
@@ -71,18 +72,18 @@ bool prefers_reduction(const Problem& problem) {
 
 ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& space,
                                 const OrbitCorrectionSettings& settings) {
-  constexpr int kFiner = 4, kFinest = 16;  // grid than the one before, and than the first
+  constexpr std::array kFiner{1, 4, 16};  // grids than the first
   OrbitCorrectionSettings quick = settings;
   quick.search.rounds = 1;
   quick.search.shootings = quick.search.marched = 0;
   ReducedOrbit result;
   long iterations = 0;
   PeriodicMarch marched;
-  for (int factor = 1; factor <= kFinest; factor *= kFiner) {
+  for (const int factor : kFiner) {
     ContactMarch march(space.small(), march_grid(problem, factor * kMarchedPerPeriod * problem.subharmonic));
     marched = factor == 1 ? march_to_periodic_motion(march) : march_from(march, marched.state);
     const NodalTrajectory motion(problem.period(), std::move(marched.motion), std::move(marched.force));
-    result = polish_reduced_orbit(problem, space, motion, factor == kFinest ? settings : quick);
+    result = polish_reduced_orbit(problem, space, motion, factor == kFiner.back() ? settings : quick);
     result.start = "marching, " + std::string(describe(marched.by));
     iterations += result.iterations + marched.newton_steps;
     if (result.corrected.bar || settings.search.expired()) break;
