@@ -17,22 +17,17 @@ void require_time(const Expired& expired) {
   if (expired && expired()) throw std::runtime_error("the time is up");
 }
 
-OrbitModel::OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared)
-    : dynamics(problem), flows(dynamics, FlowForm::automatic, std::move(shared)), period(problem.period()) {}
-
-OrbitModel::OrbitModel(const Problem& problem, CondensedStructure condensed,
+OrbitModel::OrbitModel(ContactDynamics known, double of_orbits, FlowForm form,
                        std::shared_ptr<SharedModes> shared)
-    : dynamics(problem, std::move(condensed)),
-      flows(dynamics, FlowForm::automatic, std::move(shared)),
-      period(problem.period()) {}
+    : dynamics(std::move(known)), flows(dynamics, form, std::move(shared)), period(of_orbits) {}
+
+OrbitModel::OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared)
+    : OrbitModel(ContactDynamics(problem), problem.period(), FlowForm::automatic, std::move(shared)) {}
 
 OrbitModel::OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
-    : dynamics(other.dynamics, frequency),
-      flows(dynamics, FlowForm::automatic, std::move(shared)),
-      period(other.period * other.dynamics.structure().frequency / frequency) {}
-
-OrbitModel::OrbitModel(const OrbitModel& other, FlowForm form)
-    : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
+    : OrbitModel(ContactDynamics(other.dynamics, frequency),
+                 other.period * other.dynamics.structure().frequency / frequency, FlowForm::automatic,
+                 std::move(shared)) {}
 
 OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired, Columns columns)
     : model_(model),

@@ -21,12 +21,11 @@ struct OrbitModel {
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   /// \param shared  modes known from other scenes, if any
   explicit OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared = {});
-  /// `condensed` in place of condense(problem), as FlowStructure takes it.
-  OrbitModel(const Problem& problem, CondensedStructure condensed, std::shared_ptr<SharedModes> shared = {});
   /// The same scene with another frequency of its load.
   OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared);
-  /// The same scene with flows of another form.
-  OrbitModel(const OrbitModel& other, FlowForm form);
+  /// Of dynamics that are known, with flows of this form.
+  OrbitModel(ContactDynamics known, double of_orbits, FlowForm form = FlowForm::automatic,
+             std::shared_ptr<SharedModes> shared = {});
   /// Its parts refer to each other.
   OrbitModel(const OrbitModel&) = delete;
   OrbitModel& operator=(const OrbitModel&) = delete;

@@ -65,7 +65,7 @@ double error_bar_by(const Eigen::MatrixXd& inverse, const ExactOrbit& orbit) {
 double second_distance(const OrbitModel& model, const ExactTrajectory& motion, const Eigen::MatrixXd& inverse,
                        const Expired& expired) {
   if (const auto distance = distance_to_green_function(model, motion)) return *distance;
-  OrbitModel other(model, FlowForm::exponential);
+  OrbitModel other(model.dynamics, model.period, FlowForm::exponential);
   OrbitEquations again(other, motion.orbit(), expired);
   return again.evaluate(again.guess()) ? (inverse * again.residual()).lpNorm<Eigen::Infinity>() : 0.0;
 }

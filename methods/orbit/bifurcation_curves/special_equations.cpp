@@ -29,6 +29,11 @@ Eigen::MatrixXd ways_to(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& 
 
 }  // namespace
 
+std::optional<double> guard_value(const ExtendedEquations& at, const OrbitGuard& guard) {
+  const auto found = guard_of(at, guard.kind, guard.index);
+  return found ? std::optional(found->value) : std::nullopt;
+}
+
 OrbitPlane::OrbitPlane(const ScenePlane& plane)
     : plane_(plane), unit_(std::abs(plane.to - plane.from) / 3.0) {
   recent_.emplace_front(plane.from, std::make_shared<OrbitFamily>(plane.at(plane.from)));
@@ -102,10 +107,7 @@ void SpecialEquations::take_reference() {
 }
 
 std::optional<double> SpecialEquations::condition(ExtendedEquations& at) const {
-  if (guard_) {
-    const auto found = guard_of(at, guard_->kind, guard_->index);
-    return found ? std::optional(found->value) : std::nullopt;
-  }
+  if (guard_) return guard_value(at, *guard_);
   if (!needs_derivatives()) return bifurcation_test(at, reference_, kind_);
   const auto tangent = tangent_of(at, reference_);
   return tangent ? bifurcation_test(at, *tangent, kind_) : std::nullopt;

@@ -15,6 +15,9 @@
 
 namespace signorini {
 
+/// What a guard is where the equations are evaluated; empty where it does not exist.
+std::optional<double> guard_value(const ExtendedEquations& at, const OrbitGuard& guard);
+
 /// The families at values of the second number, all in the units of the first of them.
 class OrbitPlane {
  public:
