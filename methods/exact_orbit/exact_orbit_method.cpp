@@ -52,11 +52,7 @@ SearchOptions search_options(const ExactOrbitMethod::Options& options, const Sta
 class PreparedExactOrbit final : public PreparedMethod {
  public:
   PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem),
-        options_(options),
-        several_(marches_several(problem)),
-        first_samples_(first_grid(problem, options.samples)),
-        coarse_(grid(first_samples_, 0)) {}
+      : problem_(problem), options_(options) {}
 
   Solution solve(const Start& start) override {
     progress_ = {};
@@ -219,9 +215,9 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   const Problem& problem_;
   ExactOrbitMethod::Options options_;
-  bool several_;       // contacts that are marched
-  int first_samples_;  // N of the first grid
-  std::unique_ptr<PreparedMethod> coarse_;
+  const bool several_ = marches_several(problem_);                    // contacts that are marched
+  const int first_samples_ = first_grid(problem_, options_.samples);  // N
+  const std::unique_ptr<PreparedMethod> coarse_ = grid(first_samples_, 0);
   Progress progress_;
 };
 

@@ -30,17 +30,7 @@ OrbitModel::OrbitModel(const OrbitModel& other, double frequency, std::shared_pt
                  std::move(shared)) {}
 
 OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired, Columns columns)
-    : model_(model),
-      sequence_(guess),
-      expired_(std::move(expired)),
-      p_(model.dynamics.positions()),
-      n_(model.dynamics.size()),
-      states_(p_ + n_),
-      m_(static_cast<Eigen::Index>(guess.events.size())),
-      x_unit_(model.dynamics.scales().displacement),
-      v_unit_(model.dynamics.scales().velocity),
-      t_unit_(1.0 / model.dynamics.structure().frequency),
-      kind_(columns) {
+    : model_(model), sequence_(guess), expired_(std::move(expired)), kind_(columns) {
   // Unknowns and equations are divided by the scales of the motion, so that one tolerance fits lengths,
   // speeds, forces and instants, and |J^-1| says something about all of them.
   const ContactDynamics& dynamics = model_.dynamics;

@@ -148,8 +148,11 @@ class OrbitEquations {
   OrbitModel& model_;
   OrbitGuess sequence_;
   Expired expired_;
-  Eigen::Index p_ = 0, n_ = 0, states_ = 0, m_ = 0;  // Np, Nd, Ns
-  double x_unit_ = 1.0, v_unit_ = 1.0, t_unit_ = 1.0, largest_state_ = 0.0;
+  const Eigen::Index p_ = model_.dynamics.positions(), n_ = model_.dynamics.size(), states_ = p_ + n_;
+  const Eigen::Index m_ = std::ssize(sequence_.events);
+  const double x_unit_ = model_.dynamics.scales().displacement, v_unit_ = model_.dynamics.scales().velocity;
+  const double t_unit_ = 1.0 / model_.dynamics.structure().frequency;
+  double largest_state_ = 0.0;
   Eigen::VectorXd first_, residual_, rate_;
   Eigen::MatrixXd jacobian_;
   // Derivatives of the state, in SI units: by the state at the section, or by the amplitudes that `reading_`

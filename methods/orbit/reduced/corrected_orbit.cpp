@@ -72,13 +72,7 @@ class Correction {
  public:
   Correction(const Problem& problem, const ContactSpace& space, const OrbitCorrectionSettings& settings,
              Eigen::MatrixXcd added)
-      : problem_(problem),
-        space_(space),
-        settings_(settings),
-        model_(space.small()),
-        base_(problem.base_frequency()),
-        shared_(std::make_shared<SharedModes>()),
-        added_(std::move(added)) {}
+      : problem_(problem), space_(space), settings_(settings), added_(std::move(added)) {}
 
   CorrectedOrbit run(ExactOrbit first) {
     result_.orbit = std::move(first);
@@ -198,13 +192,14 @@ class Correction {
   const Problem& problem_;
   ContactSpace space_;
   const OrbitCorrectionSettings& settings_;
-  ContactReduction model_;  // that the present orbit is one of
-  double base_, size_ = 1.0;
+  ContactReduction model_ = space_.small();  // that the present orbit is one of
+  const double base_ = problem_.base_frequency();
+  double size_ = 1.0;
   double applied_ = 0.0;      // displacement by which a correction changes the present orbit
   double before_ = 0.0;       // what corrections could reduce before the last one
   Eigen::Index shifted_ = 0;  // harmonics added
   std::vector<int> closing_;  // contacts that act in the orbits
-  std::shared_ptr<SharedModes> shared_;
+  std::shared_ptr<SharedModes> shared_ = std::make_shared<SharedModes>();
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
   Eigen::MatrixXcd defect_;           // of the present orbit, in the harmonics that are added
   double probed_rate_ = 0.0;
