@@ -159,7 +159,7 @@ OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& opti
   Search search(model_, options);
   OrbitSearch result = search.run(guess);
   if (idle_parts_held_ && result.orbit.certified())
-    result.orbit.leave_undefined("a free part that no contact meets may be anywhere");
+    result.orbit.multipliers = {.undefined = "a free part that no contact meets may be anywhere"};
   if (result.orbit.certified() || options.free_families != FreeFamilies::last) return result;
   std::optional<OrbitGuess> free = search.free();
   if (!free && result.orbit.trajectory) free = untouched(result.orbit.trajectory->orbit());

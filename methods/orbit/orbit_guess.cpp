@@ -319,9 +319,8 @@ std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& motio
 
 std::optional<OrbitGuess> simulated_sequence(OrbitModel& model, const FlowState& start,
                                              const std::function<bool()>& expired, FlowState* end) {
-  constexpr double kTolerance = 1e-12;
   try {
-    EventFlow flow(model.dynamics, kTolerance, expired, Integrator::modal);
+    EventFlow flow(model.dynamics, 1e-12, expired, Integrator::modal);
     OrbitGuess guess{
         .start = flow.place(start.time, start.state), .events = {}, .origin = "one period's flow"};
     for (int turn = 0;; ++turn) {

@@ -116,10 +116,7 @@ void conclude(OrbitModel& model, const OrbitEquations& equations, const PolishOp
     return becomes(
         OrbitOutcome::grazing,
         fmt::format("an impact grazes its stop (approach speed {:.2g} of the scale)", found.weakest_impact));
-  OrbitMultipliers multipliers = multipliers_of_orbit(model, path, equations, options.expired);
-  orbit.multipliers = std::move(multipliers.values);
-  orbit.undefined = std::move(multipliers.undefined);
-  orbit.orders = std::move(multipliers.orders);
+  orbit.multipliers = multipliers_of_orbit(model, path, equations, options.expired);
   const std::vector<int> of_contacts = path.closings();
   const int closings = std::accumulate(of_contacts.begin(), of_contacts.end(), 0);
   if (found.chatter_error.sum() > 0.0)
@@ -143,8 +140,8 @@ void take_motion(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& pat
   orbit.admissibility = check_admissible(*model, path, equations, options.expired);
   const std::string_view family = measured();
   conclude(*model, equations, options, orbit);
-  if (!family.empty() && orbit.certified()) orbit.leave_undefined(std::string(family));
-  trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
+  if (!family.empty() && orbit.certified()) orbit.multipliers = {.undefined = std::string(family)};
+  trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers.values});
 }
 
 // The step along a family of free motions, 1 - J^+ J of their equations, to the nearest one that stays clear
@@ -217,15 +214,10 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
 
 }  // namespace
 
-void ExactOrbit::leave_undefined(std::string why) {
-  multipliers.resize(0);
-  orders.clear();
-  undefined = std::move(why);
-}
-
 std::string ExactOrbit::describe_multipliers() const {
-  if (undefined.empty()) return fmt::format("largest multiplier {:.6g}", largest_magnitude(multipliers));
-  return "stability undefined: " + describe_orders({.undefined = undefined, .orders = orders});
+  if (multipliers.undefined.empty())
+    return fmt::format("largest multiplier {:.6g}", largest_magnitude(multipliers.values));
+  return "stability undefined: " + describe_orders(multipliers);
 }
 
 std::string describe(OrbitOutcome outcome) {

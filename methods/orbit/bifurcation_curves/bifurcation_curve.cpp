@@ -293,9 +293,10 @@ class BifurcationCurveTracer {
   Branch result_;
 };
 
+constexpr double kSame = 1e-9;  // of a parameter: it has the same value
+
 // Whether a curve leads anywhere: one that ends where it begins would lead back along the curve before.
 bool has_length(const Branch& curve) {
-  constexpr double kSame = 1e-9;
   if (curve.points.size() != 2) return curve.points.size() > 2;
   const SolutionPoint &first = curve.points.front(), &last = curve.points.back();
   return std::abs(first.frequency - last.frequency) > kSame * first.frequency ||
@@ -324,8 +325,8 @@ std::vector<Branch> trace_from(OrbitPlane& plane, const SpecialPoint& start, con
 
 // Whether two points are one motion.
 bool one_motion(const SolutionPoint& a, const SolutionPoint& b) {
-  constexpr double kSame = 1e-6;
-  const auto near = [](double x, double y) { return std::abs(x - y) <= kSame * std::abs(x + y); };
+  constexpr double kAlike = 1e-6;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= kAlike * std::abs(x + y); };
   return near(a.parameter, b.parameter) && std::ranges::equal(a.x_max, b.x_max, near) &&
          std::ranges::equal(a.amplitude, b.amplitude, near);
 }
@@ -361,7 +362,6 @@ std::vector<Branch> bifurcation_curves(const ScenePlane& plane, const OrbitDiagr
   OrbitPlane orbits(plane);
   std::vector<Branch> curves;
   std::vector<SolutionPoint> known;
-  constexpr double kAtEnd = 1e-9;
   for (const Begin& start : starts) {
     const SolutionPoint& point = start.special->point;
     if (std::ranges::any_of(known, [&](const auto& other) { return one_motion(point, other); })) continue;
@@ -372,7 +372,7 @@ std::vector<Branch> bifurcation_curves(const ScenePlane& plane, const OrbitDiagr
     }
     const Branch& curve = curves.back();
     const bool returns = curve.points.size() > 1 && std::abs(*curve.points.back().second - plane.from) <
-                                                        kAtEnd * std::abs(plane.to - plane.from);
+                                                        kSame * std::abs(plane.to - plane.from);
     if (returns) known.push_back(curve.points.back());
   }
   return curves;
