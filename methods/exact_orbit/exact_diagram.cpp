@@ -113,9 +113,9 @@ class Beginnings {
     for (int i = 0; i < kValues && !share.passed(); ++i) add_answer(value_inside(i), limits_.deadline);
   }
 
+  // A tenth of what is left.
   [[nodiscard]] Deadline share_of_time() const {
-    constexpr double kShare = 0.1;
-    return Deadline::after(std::max(0.0, kShare * limits_.deadline.left()));
+    return Deadline::after(std::max(0.0, 0.1 * limits_.deadline.left()));
   }
 
   void add_answer(double parameter, const Deadline& deadline) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <tuple>
+#include <iterator>
 
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
@@ -58,7 +58,6 @@ int ExactTrajectory::acting(int contact) const {
 double ExactTrajectory::push(int contact, double begin, double end) const {
   constexpr double kTurn = 0.8, kUnseen = 1e-9;  // rad; share of a scale
   constexpr int kMostPieces = 4096;
-  constexpr auto kDerivatives = static_cast<int>(std::tuple_size_v<Derivatives>) - 1;
   std::vector<double> ends{begin, end};
   for (const ContactEvent& event : events_) {
     for (const double time : {event.time, event.time + period()}) {
@@ -72,7 +71,8 @@ double ExactTrajectory::push(int contact, double begin, double end) const {
     double middle = ends[i - 1] + 0.5 * length;  // within the arc, whatever rounding does to its ends
     const LinearArc& arc = arc_at(middle);
     const double start = middle - 0.5 * length;
-    const double rate = fastest_left(arc.fading_rates(kUnseen, kTurn, kDerivatives), start);
+    const double rate = fastest_left(
+        arc.fading_rates(kUnseen, kTurn, static_cast<int>(std::ssize(Derivatives{})) - 1), start);
     const int pieces = std::clamp(static_cast<int>(std::ceil(rate * length / kTurn)), 1, kMostPieces);
     const auto derivatives = [&](int piece) {
       Derivatives values{};
