@@ -251,9 +251,9 @@ OrbitGuess OrbitEquations::orbit(const Eigen::VectorXd& unknowns) const {
   return result;
 }
 
-bool touches(const OrbitGuess& path) {
-  return !path.events.empty() || std::ranges::find(path.start.closed, true) != path.start.closed.end();
-}
+bool any_closed(const std::vector<bool>& closed) { return std::ranges::find(closed, true) != closed.end(); }
+
+bool touches(const OrbitGuess& path) { return !path.events.empty() || any_closed(path.start.closed); }
 
 std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Index states) {
   constexpr double kSingular = 1e-9, kAtRest = 1e-6;

@@ -187,6 +187,9 @@ struct OrbitNewtonResult {
 OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations,
                         const std::function<bool()>& expired = {});
 
+/// Whether one of the contacts is closed.
+bool any_closed(const std::vector<bool>& closed);
+
 /// Whether a contact presses or is struck. Motions that touch nothing are families of another kind, of any
 /// mean within the clearances, and asked for apart (polish_free_member).
 bool touches(const OrbitGuess& path);

@@ -270,7 +270,7 @@ std::optional<OrbitGuess> from_events(OrbitModel& model, const ActingMotion& act
   if (events.size() > kMostEvents) return std::nullopt;
   const std::vector<bool> pushing = pushing_throughout(acting);
   // Where nothing touches, events do not tell the mean of a part that no spring holds.
-  if (events.empty() && std::ranges::find(pushing, true) == pushing.end()) return std::nullopt;
+  if (events.empty() && !any_closed(pushing)) return std::nullopt;
   const double section = quiet_instant(pushes_of(events, model.period), model.period);
   return listed_sequence(model, std::move(events), section, pushing, expired);
 }

@@ -26,22 +26,18 @@ namespace {
 constexpr const char* kSingularEquations =
     "the equations are singular (a multiplier is 1, or an impact grazes)";
 
-bool any_closed(const std::vector<bool>& closed) {
-  return std::find(closed.begin(), closed.end(), true) != closed.end();
-}
-
 // Largest distance of a purely impulsive orbit to the sum of its impulses' periodic responses; empty if there
 // is contact that lasts, or no unique response.
 std::optional<double> distance_to_green_function(const OrbitModel& model, const ExactTrajectory& motion) {
   constexpr int kInstants = 17;
   const OrbitGuess& path = motion.orbit();
   const FlowStructure& structure = model.dynamics.structure();
-  if (structure.relaxing() > 0) return std::nullopt;          // whose impulses move xi, too
-  if (!structure.open.contacts.empty()) return std::nullopt;  // the motion counts all contacts
-  if (any_closed(path.start.closed)) return std::nullopt;
-  for (const SequenceEvent& event : path.events) {
-    if (event.kind != ContactEvent::Kind::impact || any_closed(event.closed)) return std::nullopt;
-  }
+  // Impulses of relaxing contacts move xi, too, and the motion counts all contacts.
+  if (structure.relaxing() > 0 || !structure.open.contacts.empty() || any_closed(path.start.closed) ||
+      std::ranges::any_of(path.events, [](const SequenceEvent& event) {
+        return event.kind != ContactEvent::Kind::impact || any_closed(event.closed);
+      }))
+    return std::nullopt;
   const ModalGreenFunction green(model.dynamics, model.period);
   if (!green.defined()) return std::nullopt;
   const MotionScales& scales = model.dynamics.scales();

@@ -117,23 +117,17 @@ class BifurcationCurveTracer {
   BifurcationCurveTracer(OrbitPlane& plane, SpecialKind kind, const CurveLimits& limits)
       : plane_(plane), limits_(limits), kind_(kind) {}
 
-  Branch run(const SpecialPoint& start, const OrbitGuess& orbit) {
-    begin(start, orbit);
-    return followed();
-  }
-  Branch run(const Onward& onward) {
-    begin(onward);
-    return followed();
+  // From a special point and its orbit, or where another curve goes on.
+  Branch run(const auto&... start) {
+    begin(start...);
+    while (!done_) advance();
+    return std::move(result_);
   }
 
   // Beyond the end of what has run.
   [[nodiscard]] const std::optional<Onward>& onward() const { return onward_; }
 
  private:
-  Branch followed() {
-    while (!done_) advance();
-    return std::move(result_);
-  }
   void finish(std::string reason) {
     result_.ended = std::move(reason);
     done_ = true;
