@@ -60,18 +60,18 @@ double relative_error_bar(const ExactOrbit& orbit, const Trajectory& motion, dou
 /// True if small disturbances decay; empty where no multiplier is defined or round-off would decide.
 std::optional<bool> stability(const ExactOrbit& orbit) {
   constexpr double kUndecided = 1e-9;
-  if (orbit.multipliers.size() == 0) return std::nullopt;
-  const double largest = largest_magnitude(orbit.multipliers);
+  if (orbit.multipliers.values.size() == 0) return std::nullopt;
+  const double largest = largest_magnitude(orbit.multipliers.values);
   if (std::abs(largest - 1.0) <= std::max(kUndecided, orbit.error_bar)) return std::nullopt;
   return largest < 1.0;
 }
 
 void take_multipliers(const ExactOrbit& found, CertifiedOrbit& orbit) {
-  if (!found.undefined.empty())
-    orbit.undefined = describe_orders({.undefined = found.undefined, .orders = found.orders});
-  for (const ImpactOrder& order : found.orders) orbit.orders.push_back({order.contacts, order.largest});
-  if (found.multipliers.size() > 0) orbit.floquet.emplace();
-  for (const std::complex<double>& multiplier : found.multipliers)
+  const auto& [values, undefined, orders] = found.multipliers;
+  if (!undefined.empty()) orbit.undefined = describe_orders(found.multipliers);
+  for (const ImpactOrder& order : orders) orbit.orders.push_back({order.contacts, order.largest});
+  if (values.size() > 0) orbit.floquet.emplace();
+  for (const std::complex<double>& multiplier : values)
     orbit.floquet->emplace_back(multiplier.real(), multiplier.imag());
   orbit.stable = stability(found);
   orbit.stability = stability_word(orbit.stable, orbit.undefined);

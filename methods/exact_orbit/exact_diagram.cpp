@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -39,7 +40,7 @@ class Beginnings {
     }
     add_one_impact();
     for (const KnownMotion& known : limits_.begin_at)
-      if (family_.driven()) add_known(known);
+      if (family_.driven()) attempt([&] { add(known); });
     if (orbits_.empty() && failure_) std::rethrow_exception(failure_);
     return std::move(orbits_);
   }
@@ -112,9 +113,9 @@ class Beginnings {
     for (int i = 0; i < kValues && !share.passed(); ++i) add_answer(value_inside(i), limits_.deadline);
   }
 
+  // A tenth of what is left.
   [[nodiscard]] Deadline share_of_time() const {
-    constexpr double kShare = 0.1;
-    return Deadline::after(std::max(0.0, kShare * limits_.deadline.left()));
+    return Deadline::after(std::max(0.0, 0.1 * limits_.deadline.left()));
   }
 
   void add_answer(double parameter, const Deadline& deadline) {
@@ -124,13 +125,20 @@ class Beginnings {
       refusal_ = support.reason;
       return;
     }
-    try {
+    attempt([&] {
       const Solution solution = method_.prepare(problem)->solve({.guess = {}, .deadline = deadline});
       if (solution.verdict == Verdict::converged)
         add({parameter, solution.trajectory});
       else
         refusal_ = solution.message;
-    } catch (const std::runtime_error&) {  // a resonance, or a mean load that nothing balances
+    });
+  }
+
+  // What may fail by a resonance, or by a mean load that nothing balances.
+  void attempt(const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const std::runtime_error&) {
       failure_ = std::current_exception();
     }
   }
@@ -160,14 +168,6 @@ class Beginnings {
     OrbitModel model(with_subharmonic(problem, order));
     if (const auto orbit = orbit_guess(model, *known.motion))
       orbits_.push_back(sequenced(family_, *orbit, period, problem.frequency, known.parameter));
-  }
-
-  void add_known(const KnownMotion& known) {
-    try {
-      add(known);
-    } catch (const std::runtime_error&) {  // as of an answer
-      failure_ = std::current_exception();
-    }
   }
 
   // No fraction of the interval that its ends or a resonance would make a special one.

@@ -43,14 +43,16 @@ int first_grid(const Problem& problem, int samples) {
   return samples;
 }
 
+SearchOptions search_options(const ExactOrbitMethod::Options& options, const Start& start) {
+  return {.polish = {.tolerance = options.tolerance, .max_iterations = options.max_iterations},
+          .shootings = 15,
+          .expired = [&start] { return start.expired(); }};
+}
+
 class PreparedExactOrbit final : public PreparedMethod {
  public:
   PreparedExactOrbit(const Problem& problem, const ExactOrbitMethod::Options& options)
-      : problem_(problem),
-        options_(options),
-        several_(marches_several(problem)),
-        first_samples_(first_grid(problem, options.samples)),
-        coarse_(grid(first_samples_, 0)) {}
+      : problem_(problem), options_(options) {}
 
   Solution solve(const Start& start) override {
     progress_ = {};
@@ -58,50 +60,40 @@ class PreparedExactOrbit final : public PreparedMethod {
       progress_.finder.emplace(problem_);  // anew: the flows that it keeps are part of every cold solve
       search(start);
     } catch (const std::exception& error) {  // a coarse grid that cannot be factorised
-      progress_.tried.add(grid_name(first_samples_, 0), error.what());
+      note_failure(grid_name(first_samples_, 0), error.what());
     }
     return finish();
   }
 
  private:
-  // Attempts that failed, each reason once with the names of those that ended by it.
-  class FailedAttempts {
-   public:
-    void add(const std::string& name, const std::string& reason) {
-      const auto known = std::ranges::find(attempts_, reason, &NamesAndReason::second);
-      if (known == attempts_.end())
-        attempts_.emplace_back(name, reason);
-      else
-        known->first += ", " + name;
-    }
-    [[nodiscard]] std::string text() const {
-      std::string all;
-      for (const auto& [names, reason] : attempts_)
-        all += fmt::format("{}{}: {}", all.empty() ? "" : "; ", names, reason);
-      return all;
-    }
-
-   private:
-    using NamesAndReason = std::pair<std::string, std::string>;
-    std::vector<NamesAndReason> attempts_;
-  };
-
   // What one solve has come to.
   struct Progress {
     std::optional<OrbitFinder> finder = {};
-    FailedAttempts tried = {};
-    std::optional<OrbitSearch> best = {};               // the orbit, or what came nearest to one
-    std::string name = {};                              // of the attempt that led there
-    std::shared_ptr<const Trajectory> first = nullptr;  // motion found
+    std::vector<std::pair<std::string, std::string>> failed = {};  // attempts, and the reason why these did
+    std::optional<ExactOrbit> best = {};                           // the orbit, or what came nearest to one
+    std::string name = {};                                         // of the attempt that led there
+    std::shared_ptr<const Trajectory> first = nullptr;             // motion found
     Work work = {};
   };
+
+  // Each reason counts once, with the names of the attempts that ended by it.
+  void note_failure(const std::string& name, const std::string& reason) {
+    using Failure = std::pair<std::string, std::string>;
+    const auto known = std::ranges::find(progress_.failed, reason, &Failure::second);
+    if (known == progress_.failed.end())
+      progress_.failed.emplace_back(name, reason);
+    else
+      known->first += ", " + name;
+  }
 
   // The algorithm: a motion from each source in turn, until one leads to an orbit; then the flow itself, from
   // the first motion found. The first attempt is enough nearly always; its grid is prepared once.
   void search(const Start& start) {
     const Start cold{.guess = {}, .deadline = start.deadline};
-    if (start.guess && polish(*start.guess, "the guess", search_options(start))) return;
-    SearchOptions each = search_options(start), first = each;
+    SearchOptions last = search_options(options_, start);
+    last.free_families = FreeFamilies::last;
+    if (start.guess && polish(*start.guess, "the guess", last)) return;
+    SearchOptions each = last, first = last;
     if (several_)
       each.rounds = first.rounds = 1;  // a finer grid tells more than the flow from an unstable motion
     else
@@ -111,7 +103,6 @@ class PreparedExactOrbit final : public PreparedMethod {
       if (attempt(next, each)) return;
     }
     if (!progress_.first) return;
-    SearchOptions last = search_options(start);
     last.rounds = 1;
     last.shootings = 40;
     last.marched = options_.marching;
@@ -144,7 +135,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     const Solution motion = next.motion();
     progress_.work.pivots = progress_.work.pivots.value_or(0) + motion.work.pivots.value_or(0);
     if (!motion.trajectory) {
-      progress_.tried.add(next.name, motion.message);
+      note_failure(next.name, motion.message);
       return false;
     }
     if (!progress_.first) progress_.first = motion.trajectory;
@@ -153,18 +144,17 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   bool polish(const Trajectory& motion, const std::string& name, const SearchOptions& options) {
     if (options.expired()) {
-      progress_.tried.add(name, "the time budget is spent");
+      note_failure(name, "the time budget is spent");
       return true;
     }
     OrbitSearch found = progress_.finder->find(motion, options);
     progress_.work.iterations = progress_.work.iterations.value_or(0) + found.iterations;
-    const bool done = found.orbit.certified();
-    if (!done) {
-      progress_.tried.add(name, fmt::format("{}, {}", describe(found.orbit.outcome), found.orbit.reason));
-    }
-    std::optional<OrbitSearch>& best = progress_.best;
-    if (done || !best || (found.orbit.trajectory && !best->orbit.trajectory)) {
-      best = std::move(found);
+    ExactOrbit& orbit = found.orbit;
+    const bool done = orbit.certified();
+    if (!done) note_failure(name, fmt::format("{}, {}", describe(orbit.outcome), orbit.reason));
+    std::optional<ExactOrbit>& best = progress_.best;
+    if (done || !best || (orbit.trajectory && !best->trajectory)) {
+      best = std::move(orbit);
       progress_.name = name;
     }
     return done;
@@ -176,11 +166,10 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   // The coarse problem on N nodes, with the covering vector of that number: the constant one is 0.
   [[nodiscard]] std::unique_ptr<PreparedMethod> grid(int samples, int cover) const {
-    constexpr double kWave = 0.3;  // strong enough for another path
     HatSettings settings{.samples = samples};
     if (cover > 0) {
       settings.solver = ComplementaritySolver::pivoting;
-      settings.cover_amplitude = kWave;
+      settings.cover_amplitude = 0.3;  // strong enough for another path
       settings.cover_phase = 2.0 * std::numbers::pi * cover / (options_.restarts + 1);
     }
     if (several_ && samples > first_samples_) settings.scheme = HatScheme::bdf2;  // its march is linear in N
@@ -204,22 +193,15 @@ class PreparedExactOrbit final : public PreparedMethod {
     }
   }
 
-  [[nodiscard]] SearchOptions search_options(const Start& start) const {
-    SearchOptions options;
-    options.polish.tolerance = options_.tolerance;
-    options.polish.max_iterations = options_.max_iterations;
-    options.shootings = 15;
-    options.free_families = FreeFamilies::last;
-    options.expired = [&start] { return start.expired(); };
-    return options;
-  }
-
   Solution finish() {
     Solution solution{.work = progress_.work};
     if (progress_.finder) solution.work.unknowns = progress_.finder->model()->dynamics.states();
-    solution.message = "no exact orbit: " + progress_.tried.text();
+    solution.message = "no exact orbit: ";
+    for (const auto& [names, reason] : progress_.failed)
+      solution.message +=
+          fmt::format("{}{}: {}", &names == &progress_.failed.front().first ? "" : "; ", names, reason);
     if (!progress_.best) return solution;
-    const ExactOrbit& orbit = progress_.best->orbit;
+    const ExactOrbit& orbit = *progress_.best;
     solution.trajectory = orbit.trajectory;
     solution.residual = orbit.residual;
     if (orbit.trajectory) solution.condition = orbit.condition;
@@ -233,9 +215,9 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   const Problem& problem_;
   ExactOrbitMethod::Options options_;
-  bool several_;       // contacts that are marched
-  int first_samples_;  // N of the first grid
-  std::unique_ptr<PreparedMethod> coarse_;
+  const bool several_ = marches_several(problem_);                    // contacts that are marched
+  const int first_samples_ = first_grid(problem_, options_.samples);  // N
+  const std::unique_ptr<PreparedMethod> coarse_ = grid(first_samples_, 0);
   Progress progress_;
 };
 
@@ -248,13 +230,8 @@ class PreparedReducedOrbit final : public PreparedMethod {
   }
 
   Solution solve(const Start& start) override {
-    OrbitCorrectionSettings settings;
-    SearchOptions& search = settings.search;
-    search.polish.tolerance = options_.tolerance;
-    search.polish.max_iterations = options_.max_iterations;
-    search.shootings = 15;
-    search.marched = options_.marching;
-    search.expired = [&start] { return start.expired(); };
+    OrbitCorrectionSettings settings{.search = search_options(options_, start)};
+    settings.search.marched = options_.marching;
     Solution solution;
     try {
       ReducedOrbit found = find(start, settings);
@@ -271,10 +248,8 @@ class PreparedReducedOrbit final : public PreparedMethod {
   bool take_frequency(const Problem& problem) override {
     if (!whole_) return false;  // it would be made anew
     ContactSpace space = space_.of(problem);
-    std::optional<ContactSpace> near;
-    if (last_) near = last_->of(problem);
+    near_ = last_ ? std::optional(last_->of(problem)) : std::nullopt;
     space_ = std::move(space);
-    near_ = std::move(near);
     problem_ = &problem;
     return true;
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +19,7 @@ struct Check {
   const ContactDynamics& dynamics;
   const OrbitGuess& orbit;
   const OrbitEquations& equations;
+  double period;
   Admissibility result = {};
   std::vector<int> reached = {};  // contacts taken for open that pass their stops,
   std::string passing = {};       // the one that passes it most,
@@ -34,8 +34,10 @@ struct Check {
   }
 
   // No penetration and no tension between two events.
-  void arc(const LinearArc& arc, double begin, double end) {
+  void arc(std::size_t i) {
     constexpr double kUnseen = 0.01;  // of the tolerance: modes below do not move a contact
+    const LinearArc& arc = *equations.arcs()[i];
+    const auto [begin, end] = orbit.span(i, period);
     const FlowStructure& structure = dynamics.structure();
     const double X = dynamics.scales().displacement;
     std::vector<LimitedOutput> guards, open;
@@ -52,32 +54,36 @@ struct Check {
       open.push_back({.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X});
     }
     const std::vector<FadingRate> terms = arc.fading_rates(kUnseen * kAdmissible);
-    guards = near_limit(guards, begin, end, terms);
-    open = near_limit(open, begin, end, terms);
-    const std::vector<LimitedSample> peaks = largest(guards, begin, end, terms);
-    for (std::size_t j = 0; j < peaks.size(); ++j) {
-      const LimitedSample& peak = peaks[j];
-      result.violation = std::max(result.violation, peak.value);
-      if (peak.value <= kAdmissible) continue;
-      const int contact = named(guards[j].contact);
-      fail(guards[j].of_force
-               ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)", contact,
-                             peak.time, peak.value)
-               : fmt::format("contact {} penetrates at t = {:.6g} s by {:.2g} of the amplitude", contact,
-                             peak.time, peak.value));
+    for (std::vector<LimitedOutput>* outputs : {&guards, &open}) {
+      const std::vector<LimitedOutput> near = near_limit(*outputs, begin, end, terms);
+      const std::vector<LimitedSample> peaks = largest(near, begin, end, terms);
+      for (std::size_t k = 0; k < near.size(); ++k)
+        outputs == &guards ? guard(near[k], peaks[k]) : open_contact(near[k], peaks[k]);
     }
-    const std::vector<LimitedSample> open_peaks = largest(open, begin, end, terms);
-    for (std::size_t k = 0; k < open.size(); ++k) {
-      const LimitedSample& peak = open_peaks[k];
-      if (peak.value <= kAdmissible) continue;
-      if (reached.empty() || !(peak.value <= passed)) {
-        passed = peak.value;
-        passing = fmt::format(
-            "contact {}, taken for open, passes its stop at t = {:.6g} s by {:.2g} of the amplitude",
-            named(open[k].contact), peak.time, peak.value);
-      }
-      reached.push_back(named(open[k].contact));
+  }
+
+  // The largest value of a contact that acts.
+  void guard(const LimitedOutput& output, const LimitedSample& peak) {
+    result.violation = std::max(result.violation, peak.value);
+    if (peak.value <= kAdmissible) return;
+    const int contact = named(output.contact);
+    fail(output.of_force ? fmt::format("contact {} pulls at t = {:.6g} s ({:.2g} of the force scale)",
+                                       contact, peak.time, peak.value)
+                         : fmt::format("contact {} penetrates at t = {:.6g} s by {:.2g} of the amplitude",
+                                       contact, peak.time, peak.value));
+  }
+
+  // The same of one taken for open.
+  void open_contact(const LimitedOutput& output, const LimitedSample& peak) {
+    if (peak.value <= kAdmissible) return;
+    const int contact = named(output.contact);
+    if (reached.empty() || !(peak.value <= passed)) {
+      passed = peak.value;
+      passing = fmt::format(
+          "contact {}, taken for open, passes its stop at t = {:.6g} s by {:.2g} of the amplitude", contact,
+          peak.time, peak.value);
     }
+    reached.push_back(contact);
   }
 
   // Contacts taken for open tell something only where the others are right.
@@ -100,11 +106,10 @@ struct Check {
   // that is held before it is there neither penetrates nor pulls.
   void together(std::size_t i) {
     const SequenceEvent& event = orbit.events[i];
-    const std::vector<bool>& before = i == 0 ? orbit.start.closed : orbit.events[i - 1].closed;
     for (int j = 0; j < dynamics.contact_count(); ++j) {
       const auto index = static_cast<std::size_t>(j);
       const bool meets = event.closed[index] || std::ranges::find(event.pushed, j) != event.pushed.end();
-      if (j == event.contact || before[index] || !meets) continue;
+      if (j == event.contact || orbit.closed_before(i)[index] || !meets) continue;
       const double short_of =
           (dynamics.structure().gaps[j] - equations.arcs()[i]->displacement(j, event.time)) /
           dynamics.scales().displacement;
@@ -163,18 +168,16 @@ struct Check {
 
 Admissibility check_admissible(const OrbitModel& model, const OrbitGuess& orbit,
                                const OrbitEquations& equations, const Expired& expired) {
-  Check check{.dynamics = model.dynamics, .orbit = orbit, .equations = equations};
+  Check check{.dynamics = model.dynamics, .orbit = orbit, .equations = equations, .period = model.period};
   check.result.chatter_error.setZero(std::ssize(orbit.events));
-  check.result.weakest_impact = std::numeric_limits<double>::infinity();
-  double begin = orbit.start.time;
-  for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+  check.result.weakest_impact = kInfinity;
+  for (std::size_t i = 0; i <= orbit.events.size(); ++i) {
     require_time(expired);
-    check.arc(*equations.arcs()[i], begin, orbit.events[i].time);
+    check.arc(i);
+    if (i == orbit.events.size()) break;
     check.event(i);
     check.together(i);
-    begin = orbit.events[i].time;
   }
-  check.arc(*equations.arcs().back(), begin, orbit.start.time + model.period);
   check.open_contacts();
   if (check.result.impacts == 0) check.result.weakest_impact = 0.0;
   return check.result;

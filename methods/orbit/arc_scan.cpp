@@ -1,8 +1,8 @@
 #include "methods/orbit/arc_scan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -53,52 +53,40 @@ std::vector<double> instants(double begin, double end, const std::vector<FadingR
   return times;
 }
 
-// Where an output is among so many rows of LinearArc::outputs.
-Eigen::Index row_of(const LimitedOutput& f, Eigen::Index rows) {
-  if (!f.of_force) return f.contact;
-  const std::vector<int>& closed = f.arc.mode().active;
-  return rows - (closed.end() - std::ranges::find(closed, f.contact));
-}
-
-// Outputs of one arc at several instants, all of contacts that act, or all of open ones.
-class SampledOutputs {
- public:
-  SampledOutputs(std::span<const LimitedOutput> outputs, std::span<const double> times, int highest)
-      : outputs_(outputs), rows_(outputs.size()) {
-    const LinearArc& arc = outputs.front().arc;
-    const int acting = arc.contact_count();
-    if (outputs.front().contact < acting) {
-      derivatives_ = arc.outputs(times, highest);
-      for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = row_of(outputs[i], derivatives_[0].rows());
-    } else {
-      int first = outputs.front().contact, last = first;
-      for (const LimitedOutput& f : outputs) {
-        first = std::min(first, f.contact);
-        last = std::max(last, f.contact);
+// The outputs of one arc, all of contacts that act or all of open ones, at instants that are evaluated some
+// at once: `take` has the number of an output and its sample with the derivatives asked for, each output's in
+// the order of time.
+template <class Take>
+void sample_all(std::span<const LimitedOutput> outputs, const std::vector<double>& times, int derivatives,
+                const Take& take) {
+  constexpr std::size_t kTogether = 64;
+  const LinearArc& arc = outputs.front().arc;
+  const int acting = arc.contact_count();
+  const auto [low, high] = std::ranges::minmax_element(outputs, {}, &LimitedOutput::contact);
+  const int first = low->contact, count = high->contact - first + 1;
+  const bool open = first >= acting;
+  const auto row_of = [&](const LimitedOutput& f) -> Eigen::Index {
+    const std::vector<int>& closed = arc.mode().active;
+    if (f.of_force) return acting + (std::ranges::find(closed, f.contact) - closed.begin());
+    return open ? f.contact - first : f.contact;
+  };
+  for (std::size_t begin = 0; begin < times.size(); begin += kTogether) {
+    const auto some = std::span(times).subspan(begin, std::min(kTogether, times.size() - begin));
+    const std::vector<Eigen::MatrixXd> values =
+        open ? arc.open_displacements(some, derivatives, first - acting, count)
+             : arc.outputs(some, derivatives);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      const Eigen::Index row = row_of(outputs[i]);
+      for (std::size_t k = 0; k < some.size(); ++k) {
+        std::array<double, 3> at{};
+        for (std::size_t order = 0; order < values.size(); ++order)
+          at[order] =
+              outputs[i].limited(values[order](row, static_cast<Eigen::Index>(k)), static_cast<int>(order));
+        take(i, LimitedSample{.time = some[k], .value = at[0], .rate = at[1], .curvature = at[2]});
       }
-      derivatives_ = arc.open_displacements(times, highest, first - acting, last - first + 1);
-      for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = outputs[i].contact - first;
     }
   }
-
-  // Output i at instant k, or its derivative.
-  [[nodiscard]] double value(std::size_t i, Eigen::Index k, int order) const {
-    return outputs_[i].limited(derivatives_[static_cast<std::size_t>(order)](rows_[i], k), order);
-  }
-
- private:
-  std::span<const LimitedOutput> outputs_;
-  std::vector<Eigen::Index> rows_;  // of each output
-  std::vector<Eigen::MatrixXd> derivatives_;
-};
-
-// Instants whose outputs are evaluated at once.
-constexpr std::size_t kTogether = 64;
-std::span<const double> together(const std::vector<double>& times, std::size_t first) {
-  return std::span(times).subspan(first, std::min(kTogether, times.size() - first));
 }
-
-constexpr double kNone = -std::numeric_limits<double>::infinity();
 
 // What is not a number stays the peak.
 void raise_to(LimitedSample& peak, const LimitedSample& other) {
@@ -152,13 +140,13 @@ class BoundedMaximum {
     ++count_;
   }
   // Infinite with fewer than three samples; not a number where one is none.
-  [[nodiscard]] double bound() const { return count_ < 3 ? -kNone : bound_; }
+  [[nodiscard]] double bound() const { return count_ < 3 ? kInfinity : bound_; }
 
  private:
   static constexpr double kSafety = 8.0;
 
   std::pair<double, double> before_, last_;
-  double bound_ = kNone;
+  double bound_ = -kInfinity;
   int count_ = 0;
 };
 
@@ -174,14 +162,8 @@ std::vector<LimitedOutput> near_limit(const std::vector<LimitedOutput>& outputs,
   const auto in_full = static_cast<double>(instants(begin, end, terms).size());
   if (static_cast<double>(times.size()) > kWorthwhile * in_full) return outputs;
   std::vector<BoundedMaximum> maxima(outputs.size());
-  for (std::size_t first = 0; first < times.size(); first += kTogether) {
-    const std::span<const double> some = together(times, first);
-    const SampledOutputs samples(outputs, some, 0);
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-      for (Eigen::Index k = 0; k < std::ssize(some); ++k)
-        maxima[i].take(some[static_cast<std::size_t>(k)], samples.value(i, k, 0));
-    }
-  }
+  sample_all(outputs, times, 0,
+             [&](std::size_t i, const LimitedSample& at) { maxima[i].take(at.time, at.value); });
   std::vector<LimitedOutput> near;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (!(maxima[i].bound() + kLeast < 0.0)) near.push_back(outputs[i]);
@@ -191,24 +173,13 @@ std::vector<LimitedOutput> near_limit(const std::vector<LimitedOutput>& outputs,
 
 std::vector<LimitedSample> largest(std::span<const LimitedOutput> outputs, double begin, double end,
                                    const std::vector<FadingRate>& terms) {
-  std::vector<LimitedSample> peaks(outputs.size(), {.value = kNone}), before(outputs.size());
+  std::vector<LimitedSample> peaks(outputs.size(), {.value = -kInfinity}), before(outputs.size());
   if (outputs.empty()) return peaks;
-  const std::vector<double> times = instants(begin, end, terms);
-  for (std::size_t first = 0; first < times.size(); first += kTogether) {
-    const std::span<const double> some = together(times, first);
-    const SampledOutputs samples(outputs, some, 2);
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-      for (Eigen::Index k = 0; k < std::ssize(some); ++k) {
-        const LimitedSample here{.time = some[static_cast<std::size_t>(k)],
-                                 .value = samples.value(i, k, 0),
-                                 .rate = samples.value(i, k, 1),
-                                 .curvature = samples.value(i, k, 2)};
-        raise_to(peaks[i], here);
-        if (first > 0 || k > 0) raise_between(outputs[i], before[i], here, peaks[i]);
-        before[i] = here;
-      }
-    }
-  }
+  sample_all(outputs, instants(begin, end, terms), 2, [&](std::size_t i, const LimitedSample& here) {
+    raise_to(peaks[i], here);
+    if (here.time > begin) raise_between(outputs[i], before[i], here, peaks[i]);
+    before[i] = here;
+  });
   return peaks;
 }
 
@@ -220,7 +191,7 @@ std::vector<LimitedSample> extremes(const LimitedOutput& f, double begin, double
     if (!(a.rate * b.rate < 0.0)) return;
     const bool falls = b.rate < 0.0;
     const double there = falls ? polished_peak(f, a.time, b.time) : polished_peak(f, b.time, a.time);
-    found.push_back({.time = there, .value = f.value(there, 0), .maximum = falls, .minimum = !falls});
+    found.push_back({.time = there, .value = f.value(there, 0), .maximum = falls});
   };
   const auto at = [&](double t) { return LimitedSample{.time = t, .rate = f.value(t, 1)}; };
   LimitedSample before = at(begin);

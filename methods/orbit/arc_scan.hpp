@@ -40,7 +40,6 @@ struct LimitedSample {
   double rate = 0.0;       ///< its first derivative
   double curvature = 0.0;  ///< its second
   bool maximum = false;    ///< a local maximum inside the arc; rate and curvature are left 0
-  bool minimum = false;    ///< a local minimum likewise
 };
 
 /// Those of the outputs of one arc, all of contacts that act or all of open ones (OpenContacts), that may be

@@ -72,6 +72,10 @@ class OrbitFinder::Search {
     return done;
   }
 
+  [[nodiscard]] EventFlow modal_flow() const {
+    return {model_->dynamics, 1e-11, options_.expired, Integrator::modal};
+  }
+
   // Sequences met by the flow, each from the state that the last attempt left.
   bool rounds(const FlowState& from) {
     FlowState start = from;
@@ -93,22 +97,18 @@ class OrbitFinder::Search {
 
   // Newton's method on the stroboscopic map, where the sequence is free to change.
   bool shoot(const FlowState& from) {
-    constexpr double kTolerance = 1e-11, kLargestStep = 1e3;
-    constexpr int kHalvings = 8;
     // Each event costs a product of 2 Nd x 2 Nd matrices for the derivative of the map, and each Newton step
     // several periods. Beyond so many coordinates that is worth it only where the caller has asked for the
     // last resort, marching, too.
     constexpr int kMany = 16;
     if (options_.shootings == 0 || (options_.marched == 0 && model_->dynamics.size() > kMany)) return false;
-    EventFlow flow(model_->dynamics, kTolerance, options_.expired, Integrator::modal);
+    EventFlow flow = modal_flow();
     PeriodMap map(flow);
     const auto order = static_cast<int>(model_->period / model_->dynamics.structure().forcing_period + 0.5);
-    const FixedPoint orbit = find_fixed_point(map, flow.place(from.time, from.state), order,
-                                              {.accepted = 1e-9,
-                                               .max_iterations = options_.shootings,
-                                               .max_halvings = kHalvings,
-                                               .largest_step = kLargestStep},
-                                              options_.expired);
+    const FixedPoint orbit = find_fixed_point(
+        map, flow.place(from.time, from.state), order,
+        {.accepted = 1e-9, .max_iterations = options_.shootings, .max_halvings = 8, .largest_step = 1e3},
+        options_.expired);
     result_.iterations += orbit.iterations;
     return rounds(orbit.start);
   }
@@ -117,7 +117,7 @@ class OrbitFinder::Search {
   bool march(FlowState& from, int periods) {
     constexpr int kBurst = 8;  // periods between two attempts
     if (periods == 0) return false;
-    EventFlow flow(model_->dynamics, 1e-11, options_.expired, Integrator::modal);
+    EventFlow flow = modal_flow();
     const double section = from.time;
     FlowState state = flow.place(section, from.state);
     for (int marched = 0; marched < periods; marched += kBurst) {
@@ -146,7 +146,8 @@ OrbitFinder::OrbitFinder(const Problem& problem) {
 
 OrbitFinder::OrbitFinder(const Problem& problem, CondensedStructure condensed,
                          std::shared_ptr<SharedModes> shared)
-    : model_(std::make_shared<OrbitModel>(problem, std::move(condensed), std::move(shared))) {}
+    : model_(std::make_shared<OrbitModel>(ContactDynamics(problem, std::move(condensed)), problem.period(),
+                                          FlowForm::automatic, std::move(shared))) {}
 
 OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& options) {
   const auto member = [&](const OrbitGuess& near) {
@@ -157,11 +158,8 @@ OrbitSearch OrbitFinder::find(const OrbitGuess& guess, const SearchOptions& opti
       return {.orbit = std::move(found), .attempts = 1};
   Search search(model_, options);
   OrbitSearch result = search.run(guess);
-  if (idle_parts_held_ && result.orbit.certified()) {
-    result.orbit.multipliers.resize(0);
-    result.orbit.orders.clear();
-    result.orbit.undefined = "a free part that no contact meets may be anywhere";
-  }
+  if (idle_parts_held_ && result.orbit.certified())
+    result.orbit.multipliers = {.undefined = "a free part that no contact meets may be anywhere"};
   if (result.orbit.certified() || options.free_families != FreeFamilies::last) return result;
   std::optional<OrbitGuess> free = search.free();
   if (!free && result.orbit.trajectory) free = untouched(result.orbit.trajectory->orbit());

@@ -79,13 +79,10 @@ struct ExactOrbit {
   double attainable = 0.0;                                 ///< round-off of the residual [-]
   /// Of the motion, relative to X: |J^-1| times the residual and its noise [-].
   double error_bar = 0.0;
-  double condition = 1.0;  ///< estimate for J, in its scales; where there is a trajectory [-]
-  int iterations = 0;      ///< Newton steps
-  /// Floquet, 2 Nd, Nc more if acting contacts relax; empty where undefined (OrbitMultipliers::values).
-  Eigen::VectorXcd multipliers = {};
-  std::string undefined = {};            ///< why there are none, as OrbitMultipliers has it
-  std::vector<ImpactOrder> orders = {};  ///< likewise
-  Admissibility admissibility = {};      ///< where there is a trajectory
+  double condition = 1.0;             ///< estimate for J, in its scales; where there is a trajectory [-]
+  int iterations = 0;                 ///< Newton steps
+  OrbitMultipliers multipliers = {};  ///< Floquet, 2 Nd, Nc more if acting contacts relax
+  Admissibility admissibility = {};   ///< where there is a trajectory
 
   /// An orbit of the scene stands behind this.
   [[nodiscard]] bool certified() const {

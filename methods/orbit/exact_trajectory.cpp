@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
@@ -19,12 +20,11 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
       orbit_(std::move(orbit)),
       arcs_(std::move(arcs)) {
   // Listed of each event: every contact that changes or takes an impulse, and the one whose guard vanishes.
-  const std::vector<bool>* before = &orbit_.start.closed;
   for (std::size_t i = 0; i < orbit_.events.size(); ++i) {
     const SequenceEvent& event = orbit_.events[i];
     for (int j = 0; j < model_->dynamics.contact_count(); ++j) {
       const auto index = static_cast<std::size_t>(j);
-      const bool was = (*before)[index], is = event.closed[index];
+      const bool was = orbit_.closed_before(i)[index], is = event.closed[index];
       const auto pushed = std::find(event.pushed.begin(), event.pushed.end(), j);
       // A resting contact may have nothing to pass on.
       const double impulse = pushed == event.pushed.end()
@@ -38,26 +38,26 @@ ExactTrajectory::ExactTrajectory(std::shared_ptr<OrbitModel> model, OrbitGuess o
                          .time = wrapped_time(event.time, period()),
                          .impulse = impulse});
     }
-    before = &event.closed;
   }
-  std::stable_sort(events_.begin(), events_.end(),
-                   [](const ContactEvent& a, const ContactEvent& b) { return a.time < b.time; });
+  std::ranges::stable_sort(events_, {}, &ContactEvent::time);
 }
 
 const LinearArc& ExactTrajectory::arc_at(double& time) const {
   const double start = orbit_.start.time;
   time = start + wrapped_time(time - start, period());
-  const auto after = std::upper_bound(orbit_.events.begin(), orbit_.events.end(), time,
-                                      [](double t, const SequenceEvent& event) { return t < event.time; });
+  const auto after = std::ranges::upper_bound(orbit_.events, time, {}, &SequenceEvent::time);
   return *arcs_[static_cast<std::size_t>(after - orbit_.events.begin())];
+}
+
+int ExactTrajectory::acting(int contact) const {
+  return static_cast<int>(std::ranges::find(contacts_, contact) - contacts_.begin());
 }
 
 // From event to event, in pieces so short that every term of the motion that still matters turns by less than
 // a radian within one.
 double ExactTrajectory::push(int contact, double begin, double end) const {
-  const auto acting = static_cast<int>(std::ranges::find(contacts_, contact) - contacts_.begin());
   constexpr double kTurn = 0.8, kUnseen = 1e-9;  // rad; share of a scale
-  constexpr int kMostPieces = 4096, kDerivatives = 4;
+  constexpr int kMostPieces = 4096;
   std::vector<double> ends{begin, end};
   for (const ContactEvent& event : events_) {
     for (const double time : {event.time, event.time + period()}) {
@@ -71,12 +71,13 @@ double ExactTrajectory::push(int contact, double begin, double end) const {
     double middle = ends[i - 1] + 0.5 * length;  // within the arc, whatever rounding does to its ends
     const LinearArc& arc = arc_at(middle);
     const double start = middle - 0.5 * length;
-    const double rate = fastest_left(arc.fading_rates(kUnseen, kTurn, kDerivatives), start);
+    const double rate = fastest_left(
+        arc.fading_rates(kUnseen, kTurn, static_cast<int>(std::ssize(Derivatives{})) - 1), start);
     const int pieces = std::clamp(static_cast<int>(std::ceil(rate * length / kTurn)), 1, kMostPieces);
     const auto derivatives = [&](int piece) {
       Derivatives values{};
       for (std::size_t k = 0; k < values.size(); ++k)
-        values[k] = arc.force(acting, start + length * piece / pieces, static_cast<int>(k));
+        values[k] = arc.force(acting(contact), start + length * piece / pieces, static_cast<int>(k));
       return values;
     };
     Derivatives left = derivatives(0);
@@ -93,34 +94,23 @@ double ExactTrajectory::push(int contact, double begin, double end) const {
 std::optional<std::vector<ContactEvent>> ExactTrajectory::events() const {
   std::vector<ContactEvent> events = events_;
   const std::vector<ListedContact> listed = listed_contacts(events_, period());
-  const std::vector<ArcPush> arcs = listed.empty() ? std::vector<ArcPush>() : arc_pushes();
-  for (const ListedContact& closed : listed) {
-    if (arcs.empty()) {
-      events[closed.opening].push = push(closed.contact, closed.begin, closed.end);
-      continue;
+  std::vector<double> pushes(listed.size(), 0.0);
+  bool closed_form = !listed.empty();
+  for (std::size_t i = 0; i < arcs_.size() && closed_form; ++i) {
+    const auto [begin, end] = orbit_.span(i, period());
+    Eigen::MatrixXcd integrals = Eigen::MatrixXcd::Zero(1, model_->dynamics.contact_count());
+    closed_form = arcs_[i]->add_force_integrals(begin, end, 0.0, integrals);
+    for (std::size_t k = 0; k < listed.size() && closed_form; ++k) {
+      const double after = wrapped_time(0.5 * (begin + end) - listed[k].begin, period());
+      if (after < listed[k].end - listed[k].begin)
+        pushes[k] += integrals(0, acting(listed[k].contact)).real();
     }
-    const auto acting = std::ranges::find(contacts_, closed.contact) - contacts_.begin();
-    double sum = 0.0;
-    for (const ArcPush& arc : arcs) {
-      if (wrapped_time(arc.middle - closed.begin, period()) < closed.end - closed.begin)
-        sum += arc.push[acting];
-    }
-    events[closed.opening].push = std::min(0.0, sum);
+  }
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const auto& [opening, contact, begin, end] = listed[k];
+    events[opening].push = closed_form ? std::min(0.0, pushes[k]) : push(contact, begin, end);
   }
   return events;
-}
-
-std::vector<ExactTrajectory::ArcPush> ExactTrajectory::arc_pushes() const {
-  std::vector<ArcPush> pushes;
-  double begin = orbit_.start.time;
-  for (std::size_t i = 0; i < arcs_.size(); ++i) {
-    const double end = i < orbit_.events.size() ? orbit_.events[i].time : orbit_.start.time + period();
-    Eigen::MatrixXcd integrals = Eigen::MatrixXcd::Zero(1, model_->dynamics.contact_count());
-    if (!arcs_[i]->add_force_integrals(begin, end, 0.0, integrals)) return {};
-    pushes.push_back({.middle = 0.5 * (begin + end), .push = integrals.row(0).real()});
-    begin = end;
-  }
-  return pushes;
 }
 
 State ExactTrajectory::at(double time) const {
@@ -133,11 +123,9 @@ State ExactTrajectory::at(double time) const {
 Eigen::MatrixXcd ExactTrajectory::force_spectrum(int count) const {
   const double w = kTwoPi / period();
   Eigen::MatrixXcd acting = Eigen::MatrixXcd::Zero(count + 1, model_->dynamics.contact_count());
-  double begin = orbit_.start.time;
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
-    const double end = i < orbit_.events.size() ? orbit_.events[i].time : orbit_.start.time + period();
+    const auto [begin, end] = orbit_.span(i, period());
     if (!arcs_[i]->add_force_integrals(begin, end, w, acting)) return {};
-    begin = end;
   }
   Eigen::MatrixXcd sums = Eigen::MatrixXcd::Zero(count + 1, contact_count());
   for (Eigen::Index j = 0; j < acting.cols(); ++j)

@@ -58,13 +58,8 @@ class ExactTrajectory final : public Trajectory {
   [[nodiscard]] const LinearArc& arc_at(double& time) const;
   /// The integral of a contact's force [N s], by quadrature.
   [[nodiscard]] double push(int contact, double begin, double end) const;
-  /// The integrals over one arc, of the contacts that act.
-  struct ArcPush {
-    double middle;            // [s]
-    Eigen::RowVectorXd push;  // [N s]
-  };
-  /// Of all arcs, in closed form; empty where the motion is not known as a sum of terms.
-  [[nodiscard]] std::vector<ArcPush> arc_pushes() const;
+  /// Of the contacts that act, that which is a contact of the scene.
+  [[nodiscard]] int acting(int contact) const;
 
   std::shared_ptr<OrbitModel> model_;
   std::vector<int> contacts_;  // of the scene: those that act, then those that stay open

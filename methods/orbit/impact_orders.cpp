@@ -15,6 +15,7 @@ namespace signorini {
 namespace {
 
 constexpr std::size_t kMostOrders = 128, kMostPermuted = 5;
+constexpr double kSame = 1e-9;  // of maps, of multipliers at 1 and of instants: rounding
 
 using Order = std::vector<std::size_t>;
 
@@ -37,10 +38,6 @@ std::vector<double> phases_of(const ContactDynamics& dynamics, const OrbitGuess&
   return phases;
 }
 
-const std::vector<bool>& closed_before(const OrbitGuess& orbit, std::size_t i) {
-  return i == 0 ? orbit.start.closed : orbit.events[i - 1].closed;
-}
-
 // Whether the order of two events of one instant makes another sequence.
 bool exchanges(const FlowStructure& structure, const SequenceEvent& a, const SequenceEvent& b, bool all) {
   if (a.contact == b.contact || a.pushed.empty() || b.pushed.empty()) return false;
@@ -48,21 +45,33 @@ bool exchanges(const FlowStructure& structure, const SequenceEvent& a, const Seq
   return coupling == ImpactCoupling::dampers || (all && coupling == ImpactCoupling::none);
 }
 
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+// Of the events of one instant those that exchange with another, and the pairs of them.
+struct Exchanges {
+  Order moved;
+  Pairs pairs;  // the first one before the second
+};
+
+Exchanges exchanges_of(const FlowStructure& structure, std::span<const SequenceEvent> events, bool all) {
+  Exchanges found;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    bool moves = false;
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      if (k == i || !exchanges(structure, events[i], events[k], all)) continue;
+      moves = true;
+      if (k > i) found.pairs.emplace_back(i, k);
+    }
+    if (moves) found.moved.push_back(i);
+  }
+  return found;
+}
+
 // The orders of the events of one instant that differ in which of two that exchange is first.
 std::vector<Order> orders_of_instant(const FlowStructure& structure, std::span<const SequenceEvent> events,
                                      bool all) {
   const std::size_t n = events.size();
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  Order moved;
-  for (std::size_t i = 0; i < n; ++i) {
-    bool moves = false;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k == i || !exchanges(structure, events[i], events[k], all)) continue;
-      moves = true;
-      if (k > i) pairs.emplace_back(i, k);
-    }
-    if (moves) moved.push_back(i);
-  }
+  auto [moved, pairs] = exchanges_of(structure, events, all);
   if (moved.size() > kMostPermuted) return {};
   std::vector<Order> orders;
   std::vector<std::vector<bool>> known;  // of each pair whether it is as given
@@ -89,46 +98,29 @@ struct Part {
 };
 
 // Whether a neighbour along d, or along -d, meets the stops in the order of the events.
-bool keeps_order(const Eigen::VectorXd& instants,
-                 const std::vector<std::pair<Eigen::Index, Eigen::Index>>& pairs) {
-  constexpr double kTogether = 1e-9;
-  const double least = kTogether * instants.lpNorm<Eigen::Infinity>();
+bool keeps_order(const Eigen::VectorXd& instants, const Pairs& pairs) {
+  const double least = kSame * instants.lpNorm<Eigen::Infinity>();
   const auto holds = [&](double sign) {
     return std::ranges::all_of(pairs, [&](const auto& pair) {
-      return sign * (instants[pair.second] - instants[pair.first]) >= -least;
+      const auto first = static_cast<Eigen::Index>(pair.first),
+                 second = static_cast<Eigen::Index>(pair.second);
+      return sign * (instants[second] - instants[first]) >= -least;
     });
   };
   return holds(1.0) || holds(-1.0);
 }
 
-// Pairs of simultaneous events, in their places, that feel each other.
-std::vector<std::pair<Eigen::Index, Eigen::Index>> feeling_pairs(const FlowStructure& structure,
-                                                                 const std::vector<SequenceEvent>& events,
-                                                                 const std::vector<double>& phases) {
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
-  for (const auto& [begin, end] : instants_of(phases)) {
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t k = i + 1; k < end; ++k) {
-        if (exchanges(structure, events[i], events[k], false))
-          pairs.emplace_back(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
-      }
-    }
-  }
-  return pairs;
-}
-
 Part part_of(const FlowStructure& structure, const OrbitGuess& orbit, const std::vector<double>& phases,
              const OrbitEquations& equations) {
-  constexpr double kOutside = 1e-9;
   Part part;
-  const auto pairs = feeling_pairs(structure, orbit.events, phases);
+  Pairs pairs;  // of all instants
   for (const auto& [begin, end] : instants_of(phases)) {
+    const Exchanges here =
+        exchanges_of(structure, std::span(orbit.events).subspan(begin, end - begin), false);
+    for (const auto& [i, k] : here.pairs) pairs.emplace_back(begin + i, begin + k);
     std::vector<int> contacts;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto index = static_cast<Eigen::Index>(i);
-      if (std::ranges::any_of(pairs, [&](const auto& p) { return p.first == index || p.second == index; }))
-        contacts.push_back(structure.scene_contact(orbit.events[i].contact));
-    }
+    for (const std::size_t i : here.moved)
+      contacts.push_back(structure.scene_contact(orbit.events[begin + i].contact));
     if (!contacts.empty()) part.order.contacts.push_back(std::move(contacts));
   }
   const GeneralEigen eigen = general_eigen(equations.monodromy());
@@ -137,7 +129,7 @@ Part part_of(const FlowStructure& structure, const OrbitGuess& orbit, const std:
   part.values = eigen.values;
   part.order.largest = eigen.values.cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
-    if (eigen.values[i].imag() != 0.0 || !(eigen.values[i].real() > 1.0 + kOutside)) continue;
+    if (eigen.values[i].imag() != 0.0 || !(eigen.values[i].real() > 1.0 + kSame)) continue;
     if (keeps_order(instants * eigen.vectors.col(i).real(), pairs)) part.expands = true;
   }
   return part;
@@ -151,7 +143,7 @@ ImpactCoupling simultaneous_coupling(const ContactDynamics& dynamics, const Orbi
   const std::span events(orbit.events);
   for (std::size_t i = 0; i < events.size(); ++i)
     strongest =
-        std::max(strongest, coupling_of(dynamics.structure(), closed_before(orbit, i), events.subspan(i, 1)));
+        std::max(strongest, coupling_of(dynamics.structure(), orbit.closed_before(i), events.subspan(i, 1)));
   for (const auto& [begin, end] : instants_of(phases_of(dynamics, orbit))) {
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t k = begin; k < i; ++k)
@@ -200,7 +192,6 @@ std::vector<std::vector<std::size_t>> impact_orders(const FlowStructure& structu
 
 OrbitMultipliers multipliers_of_orbit(OrbitModel& model, const OrbitGuess& orbit,
                                       const OrbitEquations& equations, const Expired& expired) {
-  constexpr double kSame = 1e-9;
   const FlowStructure& structure = model.dynamics.structure();
   OrbitMultipliers result;
   const Eigen::MatrixXd given = equations.monodromy();
@@ -228,11 +219,10 @@ OrbitMultipliers multipliers_of_orbit(OrbitModel& model, const OrbitGuess& orbit
       expanding = std::move(part);
   }
   if (same) return {.values = general_eigenvalues(given)};
-  if (expanding) {
+  if (expanding)
     result.values = expanding->values;
-  } else {
+  else
     result.undefined = kDependsOnOrder;
-  }
   return result;
 }
 

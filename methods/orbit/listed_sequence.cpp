@@ -110,9 +110,8 @@ std::optional<OrbitGuess> listed_sequence(OrbitModel& model, std::vector<Contact
                                           const std::vector<bool>& pushing, const Expired& expired) {
   constexpr double kSameInstant = 1e-12;  // of the period
   for (ContactEvent& event : events) event.time = section + wrapped_time(event.time - section, model.period);
-  std::stable_sort(events.begin(), events.end(), [](const ContactEvent& a, const ContactEvent& b) {
-    return std::pair(a.time, a.contact) < std::pair(b.time, b.contact);
-  });
+  std::ranges::stable_sort(events, {},
+                           [](const ContactEvent& event) { return std::pair(event.time, event.contact); });
   end_chatters(events);
   std::vector<bool> closed = closed_at_section(events, pushing);
   OrbitGuess guess{.start = {.time = section, .state = model.dynamics.at_rest(), .closed = closed},

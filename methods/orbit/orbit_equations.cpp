@@ -17,39 +17,20 @@ void require_time(const Expired& expired) {
   if (expired && expired()) throw std::runtime_error("the time is up");
 }
 
-OrbitModel::OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared)
-    : dynamics(problem), flows(dynamics, FlowForm::automatic, std::move(shared)), period(problem.period()) {}
-
-OrbitModel::OrbitModel(const Problem& problem, CondensedStructure condensed,
+OrbitModel::OrbitModel(ContactDynamics known, double of_orbits, FlowForm form,
                        std::shared_ptr<SharedModes> shared)
-    : dynamics(problem, std::move(condensed)),
-      flows(dynamics, FlowForm::automatic, std::move(shared)),
-      period(problem.period()) {}
+    : dynamics(std::move(known)), flows(dynamics, form, std::move(shared)), period(of_orbits) {}
+
+OrbitModel::OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared)
+    : OrbitModel(ContactDynamics(problem), problem.period(), FlowForm::automatic, std::move(shared)) {}
 
 OrbitModel::OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared)
-    : dynamics(other.dynamics, frequency),
-      flows(dynamics, FlowForm::automatic, std::move(shared)),
-      period(other.period * other.dynamics.structure().frequency / frequency) {}
-
-OrbitModel::OrbitModel(const OrbitModel& other, FlowForm form)
-    : dynamics(other.dynamics), flows(dynamics, form), period(other.period) {}
-
-OrbitModel::~OrbitModel() = default;
-
-OrbitEquations::~OrbitEquations() = default;
+    : OrbitModel(ContactDynamics(other.dynamics, frequency),
+                 other.period * other.dynamics.structure().frequency / frequency, FlowForm::automatic,
+                 std::move(shared)) {}
 
 OrbitEquations::OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired, Columns columns)
-    : model_(model),
-      sequence_(guess),
-      expired_(std::move(expired)),
-      p_(model.dynamics.positions()),
-      n_(model.dynamics.size()),
-      states_(p_ + n_),
-      m_(static_cast<Eigen::Index>(guess.events.size())),
-      x_unit_(model.dynamics.scales().displacement),
-      v_unit_(model.dynamics.scales().velocity),
-      t_unit_(1.0 / model.dynamics.structure().frequency),
-      kind_(columns) {
+    : model_(model), sequence_(guess), expired_(std::move(expired)), kind_(columns) {
   // Unknowns and equations are divided by the scales of the motion, so that one tolerance fits lengths,
   // speeds, forces and instants, and |J^-1| says something about all of them.
   const ContactDynamics& dynamics = model_.dynamics;
@@ -105,22 +86,30 @@ void OrbitEquations::carry(Eigen::Index i, double duration) {
   reading_.rightCols(n_) *= v_unit_;
 }
 
-// Equation i and the state before event i.
-void OrbitEquations::pass_event(Eigen::Index i) {
+// Equation i, and what the impulses of event i make of the state and its sensitivities.
+void OrbitEquations::pass_event(Eigen::Index i, bool derivatives) {
   const auto index = static_cast<std::size_t>(i);
   const SequenceEvent& event = sequence_.events[index];
   const LinearArc& arc = *arcs_[index];
   const EventLaw& law = laws_[index];
-  arc.state(event.time, state_);
+  const FlowStructure& structure = model_.dynamics.structure();
   EventCrossing& crossing = crossings_[index];
+  arc.state(event.time, state_);
   crossing.approach = arc.displacement(event.contact, event.time, 1);
-  if (law.of_force) {
-    residual_[states_ + i] = arc.force(event.contact, event.time) / law.unit;
-  } else {
-    residual_[states_ + i] =
-        (arc.displacement(event.contact, event.time) - model_.dynamics.structure().gaps[event.contact]) /
-        law.unit;
-  }
+  residual_[states_ + i] =
+      (law.of_force ? arc.force(event.contact, event.time)
+                    : arc.displacement(event.contact, event.time) - structure.gaps[event.contact]) /
+      law.unit;
+  if (derivatives) differentiate_event(i);
+  if (event.pushed.empty()) return;
+  crossing.speeds = image_by_transposed_columns(structure.directions, event.pushed, state_.v);
+  crossing.impulses = image(law.impulse, state_.v);
+  // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
+  // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
+  state_.v += image(law.response, crossing.impulses);
+  if (!derivatives) return;
+  auto rates = sensitivity_.bottomLeftCorner(n_, of_state_ + i + 1);
+  rates += product(law.response, product(law.impulse, rates));
 }
 
 // The row of event i, and the sensitivities before it with those by its own instant.
@@ -147,24 +136,6 @@ void OrbitEquations::differentiate_event(Eigen::Index i) {
       t_unit_ * (law.of_force ? arc.force(event.contact, event.time, 1) : crossings_[index].approach) /
       law.unit;
   jacobian_.row(row).tail(m_ - i - 1).setZero();
-}
-
-// What the impulses of event i make of the state and its sensitivities.
-void OrbitEquations::push(Eigen::Index i, bool derivatives) {
-  const auto index = static_cast<std::size_t>(i);
-  const SequenceEvent& event = sequence_.events[index];
-  const ContactDynamics& dynamics = model_.dynamics;
-  const EventLaw& law = laws_[index];
-  if (event.pushed.empty()) return;
-  EventCrossing& crossing = crossings_[index];
-  crossing.speeds = image_by_transposed_columns(dynamics.structure().directions, event.pushed, state_.v);
-  crossing.impulses = image(law.impulse, state_.v);
-  // The law of impact is linear in v_-: the sensitivities pass it by the same R = I + M^-1 W_S (dp/dv_-).
-  // Together with -F_+ dt at the beginning of the next arc this is the saltation, R F_- - F_+.
-  state_.v += image(law.response, crossing.impulses);
-  if (!derivatives) return;
-  auto rates = sensitivity_.bottomLeftCorner(n_, of_state_ + i + 1);
-  rates += product(law.response, product(law.impulse, rates));
 }
 
 void OrbitEquations::differentiate_closure() {
@@ -207,9 +178,7 @@ void OrbitEquations::pass(const Eigen::VectorXd& unknowns, bool derivatives) {
       break;
     }
     sequence_.events[index].time = end;
-    pass_event(i);
-    if (derivatives) differentiate_event(i);
-    push(i, derivatives);
+    pass_event(i, derivatives);
     largest_state_ = std::max({largest_state_, state_.u.lpNorm<Eigen::Infinity>() / x_unit_,
                                state_.v.lpNorm<Eigen::Infinity>() / v_unit_});
     begin = end;
@@ -265,13 +234,11 @@ bool OrbitEquations::may_overtake(Eigen::Index i, Eigen::Index k) const {
 }
 
 std::vector<int> OrbitGuess::closings() const {
-  const std::vector<bool>* before = &start.closed;
-  std::vector<int> count(before->size(), 0);
-  for (const SequenceEvent& event : events) {
+  std::vector<int> count(start.closed.size(), 0);
+  for (std::size_t i = 0; i < events.size(); ++i) {
     for (std::size_t j = 0; j < count.size(); ++j) {
-      if (event.closed[j] && !(*before)[j]) ++count[j];
+      if (events[i].closed[j] && !closed_before(i)[j]) ++count[j];
     }
-    before = &event.closed;
   }
   return count;
 }
@@ -284,9 +251,9 @@ OrbitGuess OrbitEquations::orbit(const Eigen::VectorXd& unknowns) const {
   return result;
 }
 
-bool touches(const OrbitGuess& path) {
-  return !path.events.empty() || std::ranges::find(path.start.closed, true) != path.start.closed.end();
-}
+bool any_closed(const std::vector<bool>& closed) { return std::ranges::find(closed, true) != closed.end(); }
+
+bool touches(const OrbitGuess& path) { return !path.events.empty() || any_closed(path.start.closed); }
 
 std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Index states) {
   constexpr double kSingular = 1e-9, kAtRest = 1e-6;
@@ -299,6 +266,12 @@ std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Ind
                                   found.values.head(rank).cwiseInverse().asDiagonal() *
                                   found.U.leftCols(rank).transpose(),
                        .condition = found.values[0] / found.values[rank - 1]};
+}
+
+std::optional<FamilyInverse> family_inverse(const OrbitEquations& equations, double reciprocal_condition) {
+  constexpr double kFamilyCondition = 1e-12;
+  if (reciprocal_condition > kFamilyCondition || !touches(equations.sequence())) return std::nullopt;
+  return family_inverse(equations.jacobian(), equations.size() - equations.events());
 }
 
 }  // namespace signorini

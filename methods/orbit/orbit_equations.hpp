@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
@@ -20,13 +21,11 @@ struct OrbitModel {
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one
   /// \param shared  modes known from other scenes, if any
   explicit OrbitModel(const Problem& problem, std::shared_ptr<SharedModes> shared = {});
-  /// `condensed` in place of condense(problem), as FlowStructure takes it.
-  OrbitModel(const Problem& problem, CondensedStructure condensed, std::shared_ptr<SharedModes> shared = {});
   /// The same scene with another frequency of its load.
   OrbitModel(const OrbitModel& other, double frequency, std::shared_ptr<SharedModes> shared);
-  /// The same scene with flows of another form.
-  OrbitModel(const OrbitModel& other, FlowForm form);
-  ~OrbitModel();
+  /// Of dynamics that are known, with flows of this form.
+  OrbitModel(ContactDynamics known, double of_orbits, FlowForm form = FlowForm::automatic,
+             std::shared_ptr<SharedModes> shared = {});
   /// Its parts refer to each other.
   OrbitModel(const OrbitModel&) = delete;
   OrbitModel& operator=(const OrbitModel&) = delete;
@@ -42,6 +41,15 @@ struct OrbitGuess {
   std::vector<SequenceEvent> events;  ///< times ascending in (start.time, start.time + period)
   std::string origin;                 ///< how it was found, for messages
 
+  /// The contacts closed before event i, Nc; of m, those after the last one.
+  [[nodiscard]] const std::vector<bool>& closed_before(std::size_t i) const {
+    return i == 0 ? start.closed : events[i - 1].closed;
+  }
+  /// Begin and end of arc i, in a motion of a period [s].
+  [[nodiscard]] std::pair<double, double> span(std::size_t i, double period) const {
+    return {i == 0 ? start.time : events[i - 1].time,
+            i < events.size() ? events[i].time : start.time + period};
+  }
   /// How often each contact closes and stays, Nc; several may at one event.
   [[nodiscard]] std::vector<int> closings() const;
 };
@@ -78,7 +86,6 @@ class OrbitEquations {
   /// \throws std::runtime_error if a flow cannot be formed, or the time is up
   OrbitEquations(OrbitModel& model, const OrbitGuess& guess, Expired expired = {},
                  Columns columns = Columns::all);
-  ~OrbitEquations();
   OrbitEquations(const OrbitEquations&) = delete;
   OrbitEquations& operator=(const OrbitEquations&) = delete;
 
@@ -119,6 +126,8 @@ class OrbitEquations {
   /// Whether event i may come before event k < i and the equations still mean the same motion: impacts of two
   /// contacts that do not feel each other through the mass.
   [[nodiscard]] bool may_overtake(Eigen::Index i, Eigen::Index k) const;
+  /// The orbit of the last evaluation, its state at the section apart.
+  [[nodiscard]] const OrbitGuess& sequence() const { return sequence_; }
   /// The orbit of given unknowns, with the sequence of this one.
   [[nodiscard]] OrbitGuess orbit(const Eigen::VectorXd& unknowns) const;
 
@@ -131,17 +140,19 @@ class OrbitEquations {
   };
   void pass(const Eigen::VectorXd& unknowns, bool derivatives);
   void carry(Eigen::Index i, double duration);
-  void pass_event(Eigen::Index i);
+  void pass_event(Eigen::Index i, bool derivatives);
   void differentiate_event(Eigen::Index i);
-  void push(Eigen::Index i, bool derivatives);
   void differentiate_closure();
   [[nodiscard]] bool jumps(const SequenceEvent& event) const;
 
   OrbitModel& model_;
   OrbitGuess sequence_;
   Expired expired_;
-  Eigen::Index p_ = 0, n_ = 0, states_ = 0, m_ = 0;  // Np, Nd, Ns
-  double x_unit_ = 1.0, v_unit_ = 1.0, t_unit_ = 1.0, largest_state_ = 0.0;
+  const Eigen::Index p_ = model_.dynamics.positions(), n_ = model_.dynamics.size(), states_ = p_ + n_;
+  const Eigen::Index m_ = std::ssize(sequence_.events);
+  const double x_unit_ = model_.dynamics.scales().displacement, v_unit_ = model_.dynamics.scales().velocity;
+  const double t_unit_ = 1.0 / model_.dynamics.structure().frequency;
+  double largest_state_ = 0.0;
   Eigen::VectorXd first_, residual_, rate_;
   Eigen::MatrixXd jacobian_;
   // Derivatives of the state, in SI units: by the state at the section, or by the amplitudes that `reading_`
@@ -176,6 +187,9 @@ struct OrbitNewtonResult {
 OrbitNewtonResult solve(OrbitEquations& equations, double tolerance, int max_iterations,
                         const std::function<bool()>& expired = {});
 
+/// Whether one of the contacts is closed.
+bool any_closed(const std::vector<bool>& closed);
+
 /// Whether a contact presses or is struck. Motions that touch nothing are families of another kind, of any
 /// mean within the clearances, and asked for apart (polish_free_member).
 bool touches(const OrbitGuess& path);
@@ -186,14 +200,14 @@ struct FamilyInverse {
   double condition = 1.0;   ///< of J without the family [-]
 };
 
-/// Condition of a Jacobian, reciprocal, from which on it is asked for a family: beyond it a step is rounding
-/// [-].
-inline constexpr double kFamilyCondition = 1e-12;
-
 /// The pseudo-inverse of a Jacobian J that is singular for nothing but displacements at rest: no velocity and
 /// no instant of an event changes along them, as where a gear pair turns as one, or nothing touches.
 /// Equations of an orbit stay solvable there. Nothing for any other J: to 1e-9 of its largest singular value,
 /// 1e-6 of a direction's length. \param states  Ns, of which the first half at least are displacements
 std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Index states);
+
+/// That of equations where they are evaluated; nothing where nothing touches, and for a Jacobian whose
+/// reciprocal condition is above 1e-12: below it a step is rounding.
+std::optional<FamilyInverse> family_inverse(const OrbitEquations& equations, double reciprocal_condition);
 
 }  // namespace signorini

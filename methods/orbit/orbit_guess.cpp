@@ -9,6 +9,7 @@
 #include "methods/discretisation/contact_phases.hpp"
 #include "methods/discretisation/periodic_time.hpp"
 #include "methods/flow/flow.hpp"
+#include "methods/orbit/periodic_closure.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
 
@@ -17,42 +18,29 @@ namespace signorini {
 namespace {
 
 // What a motion of the scene says of the contacts that act in a model, in its order.
-class ActingContacts final : public Trajectory {
- public:
-  ActingContacts(const Trajectory& motion, std::vector<int> contacts)
-      : motion_(motion), contacts_(std::move(contacts)) {}
-  [[nodiscard]] int contact_count() const override { return static_cast<int>(contacts_.size()); }
-  [[nodiscard]] double period() const override { return motion_.period(); }
-  [[nodiscard]] Samples sample(int count) const override {
-    const Samples all = motion_.sample(count);
-    return {.x = all.x(Eigen::all, contacts_),
-            .velocity = all.velocity(Eigen::all, contacts_),
-            .force = all.force(Eigen::all, contacts_)};
-  }
-  [[nodiscard]] std::vector<Impulse> impulses() const override { return among(motion_.impulses()); }
-  [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override {
-    const auto events = motion_.events();
-    return events ? std::optional(among(*events)) : std::nullopt;
-  }
-  [[nodiscard]] std::optional<int> nodes() const override { return motion_.nodes(); }
-  [[nodiscard]] std::optional<int> bandwidth() const override { return motion_.bandwidth(); }
+struct ActingMotion {
+  const Trajectory& motion;
+  std::vector<int> contacts;  // of the scene
 
- private:
+  [[nodiscard]] Eigen::MatrixXd x(int count) const { return motion.sample(count).x(Eigen::all, contacts); }
+  [[nodiscard]] Eigen::MatrixXd force(int count) const {
+    return motion.sample(count).force(Eigen::all, contacts);
+  }
+  // Of events or impulses those of these contacts.
   template <class OfContact>
   [[nodiscard]] std::vector<OfContact> among(const std::vector<OfContact>& all) const {
     std::vector<OfContact> own;
     for (OfContact one : all) {
-      const auto found = std::ranges::find(contacts_, one.contact);
-      if (found == contacts_.end()) continue;
-      one.contact = static_cast<int>(found - contacts_.begin());
+      const auto found = std::ranges::find(contacts, one.contact);
+      if (found == contacts.end()) continue;
+      one.contact = static_cast<int>(found - contacts.begin());
       own.push_back(one);
     }
     return own;
   }
-
-  const Trajectory& motion_;
-  std::vector<int> contacts_;
 };
+
+constexpr int kFine = 4096;  // instants of a motion that is no grid
 
 // Forces of a period on an equidistant grid, the listed impulses apart.
 struct ForceHistory {
@@ -61,17 +49,16 @@ struct ForceHistory {
   int reach = 0;          // samples over which an impact may be spread
 };
 
-ForceHistory force_history(const Trajectory& trajectory) {
-  constexpr int kFine = 4096;
+ForceHistory force_history(const ActingMotion& acting) {
   int count = kFine, reach = 0;
-  if (const auto nodes = trajectory.nodes()) {
+  if (const auto nodes = acting.motion.nodes()) {
     count = *nodes;  // a force at a node acts over one step: between the nodes there is nothing to be read
     reach = 3;
-  } else if (const auto bandwidth = trajectory.bandwidth()) {
+  } else if (const auto bandwidth = acting.motion.bandwidth()) {
     count = static_cast<int>(std::bit_ceil(static_cast<unsigned>(8 * std::max(4, *bandwidth))));
     reach = 12;
   }
-  return {.force = trajectory.sample(count).force, .step = trajectory.period() / count, .reach = reach};
+  return {.force = acting.force(count), .step = acting.motion.period() / count, .reach = reach};
 }
 
 // A time during which one contact pushes, as the sequence of an orbit will have it: a phase of contact, or an
@@ -163,7 +150,7 @@ Eigen::VectorXd nearest_closing_state(const FlowStructure& structure, const Eige
 // impulses of one period make of a structure at rest, for y_0 itself returns as Phi(T) y_0. Where a part
 // returns by itself, as one that no spring holds, that of all which is next to the motion of the contacts.
 State periodic_state(OrbitModel& model, double time, std::vector<Impulse> impulses,
-                     const Trajectory& motion) {
+                     const ActingMotion& acting) {
   const ContactDynamics& dynamics = model.dynamics;
   const int states = dynamics.states();
   const LinearFlow& flow =
@@ -181,19 +168,14 @@ State periodic_state(OrbitModel& model, double time, std::vector<Impulse> impuls
   const Eigen::VectorXd y = lu.solve(sum);
   if (y.allFinite() && lu.reciprocal_condition() > 1e-13)
     return {.u = y.head(dynamics.positions()), .v = y.tail(dynamics.size())};
-  const MotionScales& scales = dynamics.scales();
-  Eigen::VectorXd units(states);
-  units << Eigen::VectorXd::Constant(dynamics.positions(), scales.displacement),
-      Eigen::VectorXd::Constant(dynamics.size(), scales.velocity);
-  const Eigen::MatrixXd closing =
-      Eigen::MatrixXd::Identity(states, states) -
-      units.cwiseInverse().asDiagonal() * flow.transition(model.period) * units.asDiagonal();
-  const int count = motion.nodes().value_or(4096);
+  const Eigen::VectorXd units = state_units(flow, dynamics.scales());
+  const Eigen::MatrixXd closing = scaled_closure(flow, units, model.period);
+  const int count = acting.motion.nodes().value_or(kFine);
   const long instant = std::lround(wrapped_time(time, model.period) / model.period * count);
-  Eigen::VectorXd x = motion.sample(count).x.row(instant % count).transpose();
+  Eigen::VectorXd x = acting.x(count).row(instant % count).transpose();
   if (dynamics.structure().relaxing() == 0) x -= dynamics.structure().shift_at(time, 0);
   const Eigen::VectorXd near = units.cwiseProduct(nearest_closing_state(
-      dynamics.structure(), closing, sum.cwiseQuotient(units), x / scales.displacement));
+      dynamics.structure(), closing, sum.cwiseQuotient(units), x / dynamics.scales().displacement));
   return {.u = near.head(dynamics.positions()), .v = near.tail(dynamics.size())};
 }
 
@@ -219,8 +201,7 @@ std::vector<SequenceEvent> events_of(const ContactDynamics& dynamics, const std:
     events.push_back({.kind = ContactEvent::Kind::open, .contact = push.contact, .time = end});
     events.push_back({.kind = ContactEvent::Kind::close, .contact = push.contact, .time = begin});
   }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const SequenceEvent& a, const SequenceEvent& b) { return a.time < b.time; });
+  std::ranges::stable_sort(events, {}, &SequenceEvent::time);
   std::vector<bool> closed = start.closed;
   for (SequenceEvent& event : events) {
     if (event.kind != ContactEvent::Kind::impact)
@@ -274,27 +255,28 @@ std::vector<Push> pushes_of(const std::vector<ContactEvent>& events, double peri
 }
 
 // The contacts with a force at all instants asked for.
-std::vector<bool> pushing_throughout(const Trajectory& trajectory) {
+std::vector<bool> pushing_throughout(const ActingMotion& acting) {
   constexpr int kInstants = 64;
-  const Samples samples = trajectory.sample(kInstants);
   std::vector<bool> pushing;
-  for (const auto& force : samples.force.colwise()) pushing.push_back(force.maxCoeff() < 0.0);
+  for (const auto& force : acting.force(kInstants).eval().colwise())
+    pushing.push_back(force.maxCoeff() < 0.0);
   return pushing;
 }
 
-std::optional<OrbitGuess> from_events(OrbitModel& model, const Trajectory& trajectory,
-                                      const Expired& expired) {
-  auto events = trajectory.events();
-  if (!events || events->size() > kMostEvents) return std::nullopt;
-  const std::vector<bool> pushing = pushing_throughout(trajectory);
+std::optional<OrbitGuess> from_events(OrbitModel& model, const ActingMotion& acting, const Expired& expired) {
+  const auto listed = acting.motion.events();
+  if (!listed) return std::nullopt;
+  std::vector<ContactEvent> events = acting.among(*listed);
+  if (events.size() > kMostEvents) return std::nullopt;
+  const std::vector<bool> pushing = pushing_throughout(acting);
   // Where nothing touches, events do not tell the mean of a part that no spring holds.
-  if (events->empty() && std::ranges::find(pushing, true) == pushing.end()) return std::nullopt;
-  const double section = quiet_instant(pushes_of(*events, model.period), model.period);
-  return listed_sequence(model, std::move(*events), section, pushing, expired);
+  if (events.empty() && !any_closed(pushing)) return std::nullopt;
+  const double section = quiet_instant(pushes_of(events, model.period), model.period);
+  return listed_sequence(model, std::move(events), section, pushing, expired);
 }
 
-std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajectory) {
-  const ForceHistory history = force_history(trajectory);
+std::optional<OrbitGuess> from_force(OrbitModel& model, const ActingMotion& acting) {
+  const ForceHistory history = force_history(acting);
   std::vector<Push> pushes = pushes_of(history, model.dynamics);
   std::vector<Impulse> impulses;  // a force on a grid acts as one impulse per step
   for (int c = 0; c < model.dynamics.contact_count(); ++c) {
@@ -305,7 +287,7 @@ std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajec
                             .value = history.force(k, c) * history.step});
     }
   }
-  for (const Impulse& impulse : trajectory.impulses()) {
+  for (const Impulse& impulse : acting.among(acting.motion.impulses())) {
     pushes.push_back({impulse.contact, impulse.time, impulse.time, impulse.time, false});
     impulses.push_back(impulse);
   }
@@ -315,7 +297,7 @@ std::optional<OrbitGuess> from_force(OrbitModel& model, const Trajectory& trajec
                 .closed = std::vector<bool>(static_cast<std::size_t>(model.dynamics.contact_count()), false)},
       .events = {},
       .origin = "the contact force"};
-  guess.start.state = periodic_state(model, guess.start.time, std::move(impulses), trajectory);
+  guess.start.state = periodic_state(model, guess.start.time, std::move(impulses), acting);
   if (!guess.start.state.u.allFinite() || !guess.start.state.v.allFinite()) return std::nullopt;
   guess.events = events_of(model.dynamics, pushes, guess.start, model.period);
   return guess;
@@ -330,18 +312,15 @@ std::optional<OrbitGuess> orbit_guess(OrbitModel& model, const Trajectory& motio
       motion.contact_count() != static_cast<int>(contacts.size()))
     return std::nullopt;
   contacts.resize(static_cast<std::size_t>(model.dynamics.contact_count()));
-  const bool all = static_cast<int>(contacts.size()) == motion.contact_count();
-  const ActingContacts acting(motion, std::move(contacts));
-  const Trajectory& seen = all ? motion : acting;
-  if (auto guess = from_events(model, seen, expired)) return guess;
-  return from_force(model, seen);
+  const ActingMotion acting{motion, std::move(contacts)};
+  if (auto guess = from_events(model, acting, expired)) return guess;
+  return from_force(model, acting);
 }
 
 std::optional<OrbitGuess> simulated_sequence(OrbitModel& model, const FlowState& start,
                                              const std::function<bool()>& expired, FlowState* end) {
-  constexpr double kTolerance = 1e-12;
   try {
-    EventFlow flow(model.dynamics, kTolerance, expired, Integrator::modal);
+    EventFlow flow(model.dynamics, 1e-12, expired, Integrator::modal);
     OrbitGuess guess{
         .start = flow.place(start.time, start.state), .events = {}, .origin = "one period's flow"};
     for (int turn = 0;; ++turn) {

@@ -41,10 +41,8 @@ class NewtonOnOrbit {
     if (interrupted_) return std::nullopt;
     lu_.compute(equations_.jacobian());
     step_ = -lu_.solve(equations_.residual());
-    if (!(lu_.reciprocal_condition() > kFamilyCondition) && touches(equations_.orbit(unknowns_))) {
-      const auto family = family_inverse(equations_.jacobian(), equations_.size() - equations_.events());
-      if (family) step_ = -(family->inverse * equations_.residual());
-    }
+    if (const auto family = family_inverse(equations_, lu_.reciprocal_condition()))
+      step_ = -(family->inverse * equations_.residual());
     if (!step_.allFinite()) return std::nullopt;
     const double longest = longest_part();
     short_steps_ = longest < kMerging ? short_steps_ + 1 : 0;

@@ -2,14 +2,21 @@
 
 namespace signorini {
 
-PeriodicClosure::PeriodicClosure(const LinearFlow& flow, const MotionScales& scales, double period)
-    : units_(flow.states()) {
-  units_ << Eigen::VectorXd::Constant(flow.positions(), scales.displacement),
+Eigen::VectorXd state_units(const LinearFlow& flow, const MotionScales& scales) {
+  Eigen::VectorXd units(flow.states());
+  units << Eigen::VectorXd::Constant(flow.positions(), scales.displacement),
       Eigen::VectorXd::Constant(flow.size(), scales.velocity);
-  const Eigen::MatrixXd transition =
-      units_.cwiseInverse().asDiagonal() * flow.transition(period) * units_.asDiagonal();
-  lu_ = CompleteLuFactors(Eigen::MatrixXd::Identity(units_.size(), units_.size()) - transition);
+  return units;
 }
+
+Eigen::MatrixXd scaled_closure(const LinearFlow& flow, const Eigen::VectorXd& units, double period) {
+  const Eigen::MatrixXd transition =
+      units.cwiseInverse().asDiagonal() * flow.transition(period) * units.asDiagonal();
+  return Eigen::MatrixXd::Identity(units.size(), units.size()) - transition;
+}
+
+PeriodicClosure::PeriodicClosure(const LinearFlow& flow, const MotionScales& scales, double period)
+    : units_(state_units(flow, scales)), lu_(scaled_closure(flow, units_, period)) {}
 
 bool PeriodicClosure::unique() const {
   constexpr double kUnique = 1e-12;

@@ -8,6 +8,12 @@
 
 namespace signorini {
 
+/// X for the positions and V for the velocities of a state of the flow, Ns.
+Eigen::VectorXd state_units(const LinearFlow& flow, const MotionScales& scales);
+
+/// I - Phi(T) in these units, Ns x Ns.
+Eigen::MatrixXd scaled_closure(const LinearFlow& flow, const Eigen::VectorXd& units, double period);
+
 /// I - Phi(T), Phi the transition of a flow over a period: what load and impulses of one period make of a
 /// structure at rest, d, belongs to the periodic motion that begins at y_0 = (I - Phi(T))^-1 d.
 class PeriodicClosure {

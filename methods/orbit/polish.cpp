@@ -23,9 +23,8 @@ namespace signorini {
 
 namespace {
 
-bool any_closed(const std::vector<bool>& closed) {
-  return std::find(closed.begin(), closed.end(), true) != closed.end();
-}
+constexpr const char* kSingularEquations =
+    "the equations are singular (a multiplier is 1, or an impact grazes)";
 
 // Largest distance of a purely impulsive orbit to the sum of its impulses' periodic responses; empty if there
 // is contact that lasts, or no unique response.
@@ -33,12 +32,12 @@ std::optional<double> distance_to_green_function(const OrbitModel& model, const 
   constexpr int kInstants = 17;
   const OrbitGuess& path = motion.orbit();
   const FlowStructure& structure = model.dynamics.structure();
-  if (structure.relaxing() > 0) return std::nullopt;          // whose impulses move xi, too
-  if (!structure.open.contacts.empty()) return std::nullopt;  // the motion counts all contacts
-  if (any_closed(path.start.closed)) return std::nullopt;
-  for (const SequenceEvent& event : path.events) {
-    if (event.kind != ContactEvent::Kind::impact || any_closed(event.closed)) return std::nullopt;
-  }
+  // Impulses of relaxing contacts move xi, too, and the motion counts all contacts.
+  if (structure.relaxing() > 0 || !structure.open.contacts.empty() || any_closed(path.start.closed) ||
+      std::ranges::any_of(path.events, [](const SequenceEvent& event) {
+        return event.kind != ContactEvent::Kind::impact || any_closed(event.closed);
+      }))
+    return std::nullopt;
   const ModalGreenFunction green(model.dynamics, model.period);
   if (!green.defined()) return std::nullopt;
   const MotionScales& scales = model.dynamics.scales();
@@ -52,16 +51,28 @@ std::optional<double> distance_to_green_function(const OrbitModel& model, const 
   return largest;
 }
 
+// What the residual and its noise make of the motion. \param inverse  of the Jacobian
+double error_bar_by(const Eigen::MatrixXd& inverse, const ExactOrbit& orbit) {
+  return inverse.cwiseAbs().rowwise().sum().maxCoeff() * (orbit.residual + orbit.attainable);
+}
+
+// The distance to a second evaluation of the motion, by Green's function or by matrix exponentials: 0 where
+// there is none. \param inverse  of the Jacobian, its rows weighted
+double second_distance(const OrbitModel& model, const ExactTrajectory& motion, const Eigen::MatrixXd& inverse,
+                       const Expired& expired) {
+  if (const auto distance = distance_to_green_function(model, motion)) return *distance;
+  OrbitModel other(model.dynamics, model.period, FlowForm::exponential);
+  OrbitEquations again(other, motion.orbit(), expired);
+  return again.evaluate(again.guess()) ? (inverse * again.residual()).lpNorm<Eigen::Infinity>() : 0.0;
+}
+
 // By the first order, unknowns are wrong by J^-1 times what the residual is and what it cannot show.
-// \return whether the orbit is one of a family
-bool measure_error(const OrbitModel& model, const OrbitEquations& equations, const PolishOptions& options,
-                   ExactOrbit& orbit) {
+// \return what the orbit is one of a family of; else empty
+std::string_view measure_error(const OrbitModel& model, const OrbitEquations& equations,
+                               const PolishOptions& options, ExactOrbit& orbit) {
   const LuFactors lu(equations.jacobian());
-  orbit.condition = condition_from(lu.reciprocal_condition());
-  std::optional<FamilyInverse> family;
-  if (!(lu.reciprocal_condition() > kFamilyCondition) && touches(orbit.trajectory->orbit()))
-    family = family_inverse(equations.jacobian(), model.dynamics.structure().states());
-  if (family) orbit.condition = family->condition;
+  const auto family = family_inverse(equations, lu.reciprocal_condition());
+  orbit.condition = family ? family->condition : condition_from(lu.reciprocal_condition());
   // An instant counts with the displacement that it costs: with the speed there.
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(equations.size());
   for (Eigen::Index i = 0; i < equations.events(); ++i) {
@@ -69,64 +80,64 @@ bool measure_error(const OrbitModel& model, const OrbitEquations& equations, con
     weight[equations.size() - equations.events() + i] = std::abs(v) / model.dynamics.scales().velocity;
   }
   const Eigen::MatrixXd inverse = weight.asDiagonal() * (family ? family->inverse : lu.inverse());
-  orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() * (orbit.residual + orbit.attainable);
+  orbit.error_bar = error_bar_by(inverse, orbit);
   const Eigen::VectorXd& left_out = orbit.admissibility.chatter_error;
   if (left_out.size() > 0 && left_out.maxCoeff() > 0.0)
     orbit.error_bar +=
         left_out.maxCoeff() + image(inverse.rightCols(equations.events()).cwiseAbs(), left_out).maxCoeff();
-  if (!options.second_evaluation) return family.has_value();
-  if (const auto distance = distance_to_green_function(model, *orbit.trajectory)) {
-    orbit.error_bar = std::max(orbit.error_bar, *distance);
-    return family.has_value();
-  }
-  OrbitModel other(model, FlowForm::exponential);
-  OrbitEquations again(other, orbit.trajectory->orbit(), options.expired);
-  if (!again.evaluate(again.guess())) return family.has_value();
-  orbit.error_bar = std::max(orbit.error_bar, (inverse * again.residual()).lpNorm<Eigen::Infinity>());
-  return family.has_value();
+  if (options.second_evaluation)
+    orbit.error_bar =
+        std::max(orbit.error_bar, second_distance(model, *orbit.trajectory, inverse, options.expired));
+  return family ? "free parts that no contact of the motion holds in their place may be anywhere" : "";
 }
 
+// What the orbit has come to, and its multipliers.
 void conclude(OrbitModel& model, const OrbitEquations& equations, const PolishOptions& options,
               ExactOrbit& orbit) {
   constexpr double kUndetermined = 1e-3;  // an error bar of this size determines nothing
   const Admissibility& found = orbit.admissibility;
   const OrbitGuess& path = orbit.trajectory->orbit();
+  const auto becomes = [&](OrbitOutcome outcome, std::string reason) {
+    orbit.outcome = outcome;
+    orbit.reason = std::move(reason);
+  };
   if (!(orbit.error_bar < kUndetermined)) {
-    orbit.outcome = OrbitOutcome::no_convergence;
     orbit.admissibility.reached.clear();  // of a motion that is not known
-    orbit.reason = "the equations are singular (a multiplier is 1, or an impact grazes)";
-    if (std::isfinite(orbit.error_bar)) orbit.reason += fmt::format(": error bar {:.2g}", orbit.error_bar);
-    return;
+    const bool known = std::isfinite(orbit.error_bar);
+    return becomes(OrbitOutcome::no_convergence,
+                   kSingularEquations + (known ? fmt::format(": error bar {:.2g}", orbit.error_bar) : ""));
   }
-  if (!found.ok) {
-    orbit.outcome = OrbitOutcome::not_admissible;
-    orbit.reason = found.reason;
-    return;
-  }
-  if (found.impacts > 0 && found.weakest_impact < options.grazing) {
-    orbit.outcome = OrbitOutcome::grazing;
-    orbit.reason =
-        fmt::format("an impact grazes its stop (approach speed {:.2g} of the scale)", found.weakest_impact);
-    return;
-  }
-  OrbitMultipliers multipliers = multipliers_of_orbit(model, path, equations, options.expired);
-  orbit.multipliers = std::move(multipliers.values);
-  orbit.undefined = std::move(multipliers.undefined);
-  orbit.orders = std::move(multipliers.orders);
-  const bool chatter = found.chatter_error.sum() > 0.0;
-  orbit.outcome = chatter ? OrbitOutcome::chatter : OrbitOutcome::converged;
+  if (!found.ok) return becomes(OrbitOutcome::not_admissible, found.reason);
+  if (found.impacts > 0 && found.weakest_impact < options.grazing)
+    return becomes(
+        OrbitOutcome::grazing,
+        fmt::format("an impact grazes its stop (approach speed {:.2g} of the scale)", found.weakest_impact));
+  orbit.multipliers = multipliers_of_orbit(model, path, equations, options.expired);
   const std::vector<int> of_contacts = path.closings();
   const int closings = std::accumulate(of_contacts.begin(), of_contacts.end(), 0);
-  orbit.reason =
-      chatter ? fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts)
-              : fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings);
+  if (found.chatter_error.sum() > 0.0)
+    becomes(OrbitOutcome::chatter,
+            fmt::format("complete chattering: {} impacts resolved, then contact", found.impacts));
+  else
+    becomes(OrbitOutcome::converged,
+            fmt::format("periodic orbit, impacts {}, phases of contact {}", found.impacts, closings));
   if (closings == 0 && any_closed(path.start.closed)) orbit.reason += " (closed throughout)";
 }
 
-void name_family(std::string_view family, ExactOrbit& orbit) {
-  orbit.multipliers.resize(0);
-  orbit.orders.clear();
-  orbit.undefined = family;
+// Takes the motion at which the equations are evaluated. \param measured  the error of the orbit, and what it
+// is one of a family of, if any
+void take_motion(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& path,
+                 const OrbitEquations& equations, const PolishOptions& options,
+                 const std::function<std::string_view()>& measured, ExactOrbit& orbit) {
+  const auto trajectory =
+      std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
+  orbit.attainable = equations.noise();
+  orbit.trajectory = trajectory;
+  orbit.admissibility = check_admissible(*model, path, equations, options.expired);
+  const std::string_view family = measured();
+  conclude(*model, equations, options, orbit);
+  if (!family.empty() && orbit.certified()) orbit.multipliers = {.undefined = std::string(family)};
+  trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers.values});
 }
 
 // The step along a family of free motions, 1 - J^+ J of their equations, to the nearest one that stays clear
@@ -181,7 +192,6 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
     orbit.reason = newton.reason;
     return orbit;
   }
-  orbit.attainable = equations.noise();
   OrbitGuess path = equations.orbit(newton.unknowns);
   const std::vector<std::size_t> order = order_in_time(path, model->period);
   if (!std::ranges::is_sorted(order)) {
@@ -192,23 +202,18 @@ ExactOrbit polish(const std::shared_ptr<OrbitModel>& model, const OrbitGuess& gu
       return orbit;
     }
   }
-  const auto trajectory =
-      std::make_shared<ExactTrajectory>(model, path, equations.arcs(), equations.crossings());
-  orbit.trajectory = trajectory;
-  orbit.admissibility = check_admissible(*model, path, equations, options.expired);
-  const bool family = measure_error(*model, equations, options, orbit);
-  conclude(*model, equations, options, orbit);
-  if (family && orbit.certified())
-    name_family("free parts that no contact of the motion holds in their place may be anywhere", orbit);
-  trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
+  take_motion(
+      model, path, equations, options, [&] { return measure_error(*model, equations, options, orbit); },
+      orbit);
   return orbit;
 }
 
 }  // namespace
 
 std::string ExactOrbit::describe_multipliers() const {
-  if (undefined.empty()) return fmt::format("largest multiplier {:.6g}", largest_magnitude(multipliers));
-  return "stability undefined: " + describe_orders({.undefined = undefined, .orders = orders});
+  if (multipliers.undefined.empty())
+    return fmt::format("largest multiplier {:.6g}", largest_magnitude(multipliers.values));
+  return "stability undefined: " + describe_orders(multipliers);
 }
 
 std::string describe(OrbitOutcome outcome) {
@@ -229,28 +234,20 @@ ExactOrbit polish_free_member(const std::shared_ptr<OrbitModel>& model, const Or
     const Eigen::MatrixXd& inverse = family->inverse;
     unknowns -= inverse * equations.residual();
     if (!equations.evaluate(unknowns)) return {};
-    const auto motion = [&] {
-      return std::make_shared<ExactTrajectory>(model, equations.orbit(unknowns), equations.arcs(),
-                                               equations.crossings());
-    };
     const Eigen::MatrixXd along =
         Eigen::MatrixXd::Identity(unknowns.size(), unknowns.size()) - inverse * equations.jacobian();
-    if (const auto step = step_clear_of_stops(*model, *motion(), along)) {
+    const ExactTrajectory motion(model, equations.orbit(unknowns), equations.arcs(), equations.crossings());
+    if (const auto step = step_clear_of_stops(*model, motion, along)) {
       unknowns += *step;
       if (!equations.evaluate(unknowns)) return {};
     }
     ExactOrbit orbit{.origin = guess.origin, .residual = equations.residual().lpNorm<Eigen::Infinity>()};
-    orbit.attainable = equations.noise();
-    const auto trajectory = motion();
-    orbit.trajectory = trajectory;
-    orbit.admissibility = check_admissible(*model, trajectory->orbit(), equations, options.expired);
-    orbit.condition = family->condition;
-    orbit.error_bar = inverse.cwiseAbs().rowwise().sum().maxCoeff() * (orbit.residual + orbit.attainable);
-    conclude(*model, equations, options, orbit);
-    if (orbit.certified())
-      name_family("nothing touches: one of a family of free motions, of any mean within the clearances",
-                  orbit);
-    trajectory->set_quality({.error_bar = orbit.error_bar, .multipliers = orbit.multipliers});
+    const auto measured = [&] {
+      orbit.condition = family->condition;
+      orbit.error_bar = error_bar_by(inverse, orbit);
+      return "nothing touches: one of a family of free motions, of any mean within the clearances";
+    };
+    take_motion(model, equations.orbit(unknowns), equations, options, measured, orbit);
     return orbit;
   } catch (const std::exception& error) {  // as of polish_sequence
     return {.reason = error.what(), .origin = guess.origin};

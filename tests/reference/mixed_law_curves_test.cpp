@@ -89,7 +89,7 @@ TEST(MixedLawCurves, ConsistOfOrbits) {
       for (std::size_t i = 2; i + 2 < branch.points.size(); i += 5) {
         const ExactOrbit orbit = polished(scene, branch, i);
         if (orbit.outcome != OrbitOutcome::converged) continue;  // next to a grazing
-        const double largest = largest_magnitude(orbit.multipliers);
+        const double largest = largest_magnitude(orbit.multipliers.values);
         EXPECT_NEAR(largest_magnitude(branch.points[i].multipliers), largest, 1e-5 * std::max(1.0, largest));
         const FlowState &own = branch.orbits[i].start, &alone = orbit.trajectory->orbit().start;
         EXPECT_NEAR(own.state.u[0], alone.state.u[0], 1e-10);
@@ -155,7 +155,8 @@ TEST(MixedLawCurves, PassWhereASpringIsReachedAtAnImpact) {
   for (std::size_t i = 2; i < around->points.size(); i += 5) {
     const ExactOrbit orbit = polished(scene, *around, i);
     ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << orbit.reason;
-    EXPECT_NEAR(largest_magnitude(orbit.multipliers), largest_magnitude(around->points[i].multipliers), 1e-7);
+    EXPECT_NEAR(largest_magnitude(orbit.multipliers.values), largest_magnitude(around->points[i].multipliers),
+                1e-7);
   }
 }
 

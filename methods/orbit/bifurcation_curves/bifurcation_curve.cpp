@@ -22,15 +22,15 @@ namespace signorini {
 
 namespace {
 
+constexpr double kZero = 1e-8;  // of a guard
+
 // The first guard that is zero where the equations are evaluated: those of events come before those of
 // contacts.
 std::optional<OrbitGuard> vanishing_guard(const ExtendedEquations& equations) {
-  std::optional<OrbitGuard> least;
-  constexpr double kZero = 1e-8;
-  for (const OrbitGuard& guard : survey(equations).guards) {
-    if (std::abs(guard.value) < kZero && !least) least = guard;
-  }
-  return least;
+  const std::vector<OrbitGuard> guards = survey(equations).guards;
+  const auto zero =
+      std::ranges::find_if(guards, [](const auto& guard) { return std::abs(guard.value) < kZero; });
+  return zero == guards.end() ? std::nullopt : std::optional(*zero);
 }
 
 // The orbits of the same order beyond a grazing: without the impact that fades, or with as many of those that
@@ -62,11 +62,10 @@ struct Onward {
 // A guard that is negative there, but for the one that the curve holds at zero and its double: where an
 // impact fades a maximum of the displacement takes its place.
 std::optional<OrbitGuard> violated(SpecialEquations& special) {
-  constexpr double kDouble = -1e-8;
   const auto& own = special.guard();
   for (const OrbitGuard& guard : survey(special.orbits()).guards) {
     if (guard.value >= kViolated || (own && guard.same(*own))) continue;
-    if (own && guard.kind == GuardKind::clearance && guard.value > kDouble) continue;
+    if (own && guard.kind == GuardKind::clearance && guard.value > -kZero) continue;
     return guard;
   }
   return std::nullopt;
@@ -78,11 +77,6 @@ std::optional<SequencedOrbit> orbit_of_start(OrbitPlane& plane, const SolutionPo
   const auto family = plane.family(plane.scene().from);
   const double period = kTwoPi * at.order / at.frequency;
   return with_quiet_section(*family, sequenced(*family, known, period, at.frequency, at.parameter));
-}
-
-std::optional<double> value_of(const OrbitGuard& guard, SpecialEquations& at) {
-  const auto found = guard_of(at.orbits(), guard.kind, guard.index);
-  return found ? std::optional(found->value) : std::nullopt;
 }
 
 // The orbit at which the equations are evaluated as a point of a curve.
@@ -108,7 +102,7 @@ double rise_of_guard(SpecialEquations& special, const Eigen::VectorXd& x, const 
   const auto guard = vanishing_guard(special.orbits());
   if (!guard) return 0.0;
   const auto at = [&](double way) {
-    return special.evaluate(x + way * tangent) ? value_of(*guard, special) : std::nullopt;
+    return special.evaluate(x + way * tangent) ? guard_value(special.orbits(), *guard) : std::nullopt;
   };
   const auto ahead = at(kBeside), behind = at(-kBeside);
   special.evaluate(x);
@@ -123,23 +117,17 @@ class BifurcationCurveTracer {
   BifurcationCurveTracer(OrbitPlane& plane, SpecialKind kind, const CurveLimits& limits)
       : plane_(plane), limits_(limits), kind_(kind) {}
 
-  Branch run(const SpecialPoint& start, const OrbitGuess& orbit) {
-    begin(start, orbit);
-    return followed();
-  }
-  Branch run(const Onward& onward) {
-    begin(onward);
-    return followed();
+  // From a special point and its orbit, or where another curve goes on.
+  Branch run(const auto&... start) {
+    begin(start...);
+    while (!done_) advance();
+    return std::move(result_);
   }
 
   // Beyond the end of what has run.
   [[nodiscard]] const std::optional<Onward>& onward() const { return onward_; }
 
  private:
-  Branch followed() {
-    while (!done_) advance();
-    return std::move(result_);
-  }
   void finish(std::string reason) {
     result_.ended = std::move(reason);
     done_ = true;
@@ -250,7 +238,7 @@ class BifurcationCurveTracer {
   }
 
   void end_at(const OrbitGuard& guard) {
-    const auto value = [&](SpecialEquations& at) { return value_of(guard, at); };
+    const auto value = [&](SpecialEquations& at) { return guard_value(at.orbits(), guard); };
     const auto before = special_->evaluate(x_) ? value(*special_) : std::nullopt;
     const bool positive = before && *before > 0.0;
     if (!locate(*special_, whole_step(), value, positive ? before : std::nullopt, guard.value))
@@ -291,7 +279,7 @@ class BifurcationCurveTracer {
   OrbitPlane& plane_;
   const CurveLimits& limits_;
   SpecialKind kind_;
-  double step_ = 0.01;  // the first one
+  double step_ = StepRules::kFirst;
   bool done_ = false, may_turn_ = false;
   std::optional<Onward> onward_;
   std::unique_ptr<SpecialEquations> special_;
@@ -299,9 +287,10 @@ class BifurcationCurveTracer {
   Branch result_;
 };
 
+constexpr double kSame = 1e-9;  // of a parameter: it has the same value
+
 // Whether a curve leads anywhere: one that ends where it begins would lead back along the curve before.
 bool has_length(const Branch& curve) {
-  constexpr double kSame = 1e-9;
   if (curve.points.size() != 2) return curve.points.size() > 2;
   const SolutionPoint &first = curve.points.front(), &last = curve.points.back();
   return std::abs(first.frequency - last.frequency) > kSame * first.frequency ||
@@ -330,11 +319,10 @@ std::vector<Branch> trace_from(OrbitPlane& plane, const SpecialPoint& start, con
 
 // Whether two points are one motion.
 bool one_motion(const SolutionPoint& a, const SolutionPoint& b) {
-  constexpr double kSame = 1e-6;
-  const auto near = [](double x, double y) { return std::abs(x - y) <= kSame * std::abs(x + y); };
-  return near(a.parameter, b.parameter) &&
-         std::equal(a.x_max.begin(), a.x_max.end(), b.x_max.begin(), b.x_max.end(), near) &&
-         std::equal(a.amplitude.begin(), a.amplitude.end(), b.amplitude.begin(), b.amplitude.end(), near);
+  constexpr double kAlike = 1e-6;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= kAlike * std::abs(x + y); };
+  return near(a.parameter, b.parameter) && std::ranges::equal(a.x_max, b.x_max, near) &&
+         std::ranges::equal(a.amplitude, b.amplitude, near);
 }
 
 }  // namespace
@@ -364,17 +352,13 @@ std::vector<Branch> bifurcation_curves(const ScenePlane& plane, const OrbitDiagr
       if (branch.special[i].kind == kind) starts.push_back({&branch.special[i], &branch.special_orbits[i]});
     }
   }
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Begin& a, const Begin& b) { return a.rank() < b.rank(); });
+  std::ranges::stable_sort(starts, {}, &Begin::rank);
   OrbitPlane orbits(plane);
   std::vector<Branch> curves;
   std::vector<SolutionPoint> known;
-  constexpr double kAtEnd = 1e-9;
   for (const Begin& start : starts) {
     const SolutionPoint& point = start.special->point;
-    if (std::any_of(known.begin(), known.end(),
-                    [&](const SolutionPoint& other) { return one_motion(point, other); }))
-      continue;
+    if (std::ranges::any_of(known, [&](const auto& other) { return one_motion(point, other); })) continue;
     known.push_back(point);
     for (Branch& curve : trace_from(orbits, *start.special, *start.orbit, limits)) {
       if (limits.take) limits.take(curve);
@@ -382,7 +366,7 @@ std::vector<Branch> bifurcation_curves(const ScenePlane& plane, const OrbitDiagr
     }
     const Branch& curve = curves.back();
     const bool returns = curve.points.size() > 1 && std::abs(*curve.points.back().second - plane.from) <
-                                                        kAtEnd * std::abs(plane.to - plane.from);
+                                                        kSame * std::abs(plane.to - plane.from);
     if (returns) known.push_back(curve.points.back());
   }
   return curves;

@@ -29,6 +29,11 @@ Eigen::MatrixXd ways_to(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& 
 
 }  // namespace
 
+std::optional<double> guard_value(const ExtendedEquations& at, const OrbitGuard& guard) {
+  const auto found = guard_of(at, guard.kind, guard.index);
+  return found ? std::optional(found->value) : std::nullopt;
+}
+
 OrbitPlane::OrbitPlane(const ScenePlane& plane)
     : plane_(plane), unit_(std::abs(plane.to - plane.from) / 3.0) {
   recent_.emplace_front(plane.from, std::make_shared<OrbitFamily>(plane.at(plane.from)));
@@ -58,27 +63,32 @@ SpecialEquations::SpecialEquations(OrbitPlane& plane, SequencedOrbit orbit, Spec
       guard_(std::move(guard)),
       reference_(std::move(reference)) {}
 
-bool SpecialEquations::evaluate(const Eigen::VectorXd& x) { return take(x, true); }
-
-bool SpecialEquations::take(const Eigen::VectorXd& x, bool derivatives) {
-  if (!x.allFinite()) return false;
-  try {
-    auto family = plane_.family(x[size()] * plane_.unit());
-    auto equations = std::make_unique<ExtendedEquations>(*family, orbit_);
-    const Eigen::VectorXd orbit = x.head(size());
-    if (!(derivatives ? equations->evaluate(orbit) : equations->evaluate_motion(orbit))) return false;
-    equations_ = std::move(equations);
-    family_ = std::move(family);
-  } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
-    return false;
-  }
-  const auto value = condition(*equations_);
-  if (!value) return false;
-  x_ = x;
+bool SpecialEquations::evaluate(const Eigen::VectorXd& x) {
+  auto found = evaluated(x, true);
+  if (!found) return false;
+  here_ = std::move(*found);
   jacobian_.resize(0, 0);
-  residual_.resize(size());
-  residual_ << equations_->residual(), *value / scale_;
-  return residual_.allFinite();
+  return true;
+}
+
+std::optional<SpecialEquations::Evaluation> SpecialEquations::evaluated(const Eigen::VectorXd& x,
+                                                                        bool derivatives) const {
+  if (!x.allFinite()) return std::nullopt;
+  Evaluation found{.x = x};
+  try {
+    found.family = plane_.family(x[size()] * plane_.unit());
+    found.equations = std::make_unique<ExtendedEquations>(*found.family, orbit_);
+    const Eigen::VectorXd orbit = x.head(size());
+    if (!(derivatives ? found.equations->evaluate(orbit) : found.equations->evaluate_motion(orbit)))
+      return std::nullopt;
+  } catch (const std::runtime_error&) {  // no scene, or no flow of a mode
+    return std::nullopt;
+  }
+  const auto value = condition(*found.equations);
+  if (!value) return std::nullopt;
+  found.residual.resize(size());
+  found.residual << found.equations->residual(), *value / scale_;
+  return found.residual.allFinite() ? std::optional(std::move(found)) : std::nullopt;
 }
 
 const Eigen::MatrixXd& SpecialEquations::jacobian() {
@@ -90,7 +100,7 @@ bool SpecialEquations::rescale() {
   const Eigen::Index last = size() - 1;
   (void)jacobian();
   if (!(slope_ > 0.0) || !std::isfinite(slope_)) return false;
-  residual_[last] /= slope_;
+  here_.residual[last] /= slope_;
   jacobian_.row(last) /= slope_;
   scale_ *= slope_;
   slope_ = 1.0;
@@ -98,14 +108,11 @@ bool SpecialEquations::rescale() {
 }
 
 void SpecialEquations::take_reference() {
-  if (const auto tangent = tangent_of(*equations_, reference_)) reference_ = *tangent;
+  if (const auto tangent = tangent_of(*here_.equations, reference_)) reference_ = *tangent;
 }
 
 std::optional<double> SpecialEquations::condition(ExtendedEquations& at) const {
-  if (guard_) {
-    const auto found = guard_of(at, guard_->kind, guard_->index);
-    return found ? std::optional(found->value) : std::nullopt;
-  }
+  if (guard_) return guard_value(at, *guard_);
   if (!needs_derivatives()) return bifurcation_test(at, reference_, kind_);
   const auto tangent = tangent_of(at, reference_);
   return tangent ? bifurcation_test(at, *tangent, kind_) : std::nullopt;
@@ -114,19 +121,18 @@ std::optional<double> SpecialEquations::condition(ExtendedEquations& at) const {
 void SpecialEquations::differentiate() {
   constexpr double kStep = 1e-7, kBeside = 1e-5, kNoise = 100.0;  // in the units of the curve; of the noise
   const Eigen::Index n = size() - 1;
-  const Eigen::VectorXd x = x_, residual = residual_;
+  const Eigen::VectorXd &x = here_.x, &residual = here_.residual;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n + 1, n + 2);
-  J.topLeftCorner(n, n + 1) = equations_->jacobian();
-  const std::shared_ptr<OrbitFamily> family = family_;
-  auto equations = std::move(equations_);
+  J.topLeftCorner(n, n + 1) = here_.equations->jacobian();
   const auto beside = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
-    return take(at, needs_derivatives()) ? residual_ : Eigen::VectorXd::Constant(n + 1, std::nan(""));
+    const auto found = evaluated(at, needs_derivatives());
+    return found ? found->residual : Eigen::VectorXd::Constant(n + 1, std::nan(""));
   };
   J.topRightCorner(n, 1) =
       (beside(x + kStep * Eigen::VectorXd::Unit(n + 2, n + 1)) - residual).head(n) / kStep;
   slope_ = 0.0;
   if (J.allFinite()) {
-    const Eigen::MatrixXd ways = ways_to(J.topRows(n), residual.head(n), kNoise * equations->noise());
+    const Eigen::MatrixXd ways = ways_to(J.topRows(n), residual.head(n), kNoise * noise());
     for (Eigen::Index k = 0; k < ways.cols(); ++k) {
       const double ahead = beside(x + kBeside * ways.col(k))[n],
                    behind = beside(x - kBeside * ways.col(k))[n];
@@ -135,10 +141,6 @@ void SpecialEquations::differentiate() {
       J.row(n) += slope * ways.col(k).transpose();
     }
   }
-  family_ = family;
-  equations_ = std::move(equations);
-  x_ = x;
-  residual_ = residual;
   jacobian_ = std::move(J);
 }
 

@@ -15,6 +15,9 @@
 
 namespace signorini {
 
+/// What a guard is where the equations are evaluated; empty where it does not exist.
+std::optional<double> guard_value(const ExtendedEquations& at, const OrbitGuard& guard);
+
 /// The families at values of the second number, all in the units of the first of them.
 class OrbitPlane {
  public:
@@ -52,23 +55,30 @@ class SpecialEquations {
   [[nodiscard]] Eigen::Index size() const { return orbit_.x.size(); }  ///< n + 1
   /// False where R is not defined, there is no scene, or psi does not exist.
   bool evaluate(const Eigen::VectorXd& x);
-  [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }  ///< n + 1
-  const Eigen::MatrixXd& jacobian();                                           ///< (n + 1) x (n + 2)
-  [[nodiscard]] double noise() const { return equations_->noise(); }           ///< of R
+  [[nodiscard]] const Eigen::VectorXd& residual() const { return here_.residual; }  ///< n + 1
+  const Eigen::MatrixXd& jacobian();                                                ///< (n + 1) x (n + 2)
+  [[nodiscard]] double noise() const { return here_.equations->noise(); }           ///< of R
 
   /// Takes |psi'| where it is evaluated; false where psi has no derivative along the surface.
   bool rescale();
   /// Takes the tangent where it is evaluated as the reference.
   void take_reference();
 
-  [[nodiscard]] const Eigen::VectorXd& x() const { return x_; }                    ///< of the last evaluation
-  [[nodiscard]] ExtendedEquations& orbits() { return *equations_; }                ///< there
-  [[nodiscard]] double second() const { return x_[size()] * plane_.unit(); }       ///< q there
+  [[nodiscard]] const Eigen::VectorXd& x() const { return here_.x; }               ///< of the last evaluation
+  [[nodiscard]] ExtendedEquations& orbits() { return *here_.equations; }           ///< there
+  [[nodiscard]] double second() const { return here_.x[size()] * plane_.unit(); }  ///< q there
   [[nodiscard]] const std::optional<OrbitGuard>& guard() const { return guard_; }  ///< as given
   [[nodiscard]] const Eigen::VectorXd& reference() const { return reference_; }    ///< as taken
 
  private:
-  bool take(const Eigen::VectorXd& x, bool derivatives);
+  // What is known of one place.
+  struct Evaluation {
+    Eigen::VectorXd x, residual = {};
+    std::shared_ptr<OrbitFamily> family = {};
+    std::unique_ptr<ExtendedEquations> equations = {};
+  };
+  // Empty where there is none.
+  [[nodiscard]] std::optional<Evaluation> evaluated(const Eigen::VectorXd& x, bool derivatives) const;
   std::optional<double> condition(ExtendedEquations& at) const;
   [[nodiscard]] bool needs_derivatives() const { return guard_ || kind_ != SpecialKind::phase_resonance; }
   void differentiate();
@@ -79,9 +89,7 @@ class SpecialEquations {
   std::optional<OrbitGuard> guard_;
   Eigen::VectorXd reference_;
   double scale_ = 1.0, slope_ = 0.0;  // the latter |psi'| over the former
-  std::shared_ptr<OrbitFamily> family_;
-  std::unique_ptr<ExtendedEquations> equations_;
-  Eigen::VectorXd x_, residual_;
+  Evaluation here_;
   Eigen::MatrixXd jacobian_;
 };
 

@@ -50,100 +50,29 @@ double series_norm(const Eigen::MatrixXcd& series, Eigen::Index first = 0) {
 /// more than its last octave.
 double beyond(const Eigen::MatrixXcd& series) { return series_norm(series, series.rows() / 2); }
 
-/// How often each acting contact closes in a period, -1 of one that is closed throughout. Which of two
+/// How often each contact of the scene closes in a period, -1 of one that is closed throughout. Which of two
 /// neighbours closes first within rounding is no difference between motions, nor where the period is cut
 /// open.
-std::vector<int> closings_of_acting(const OrbitGuess& path) {
-  std::vector<int> count = path.closings();
-  for (std::size_t j = 0; j < count.size(); ++j) {
-    const auto closed = [j](const SequenceEvent& event) { return bool{event.closed[j]}; };
-    if (path.start.closed[j] && std::ranges::all_of(path.events, closed)) count[j] = -1;
-  }
-  return count;
-}
-
-/// The same of all contacts of the scene.
 std::vector<int> closings(const ExactTrajectory& orbit) {
+  const OrbitGuess& path = orbit.orbit();
   std::vector<int> all(static_cast<std::size_t>(orbit.contact_count()), 0);
-  const std::vector<int> acting = closings_of_acting(orbit.orbit());
-  for (std::size_t j = 0; j < acting.size(); ++j)
-    all[static_cast<std::size_t>(orbit.scene_contact(static_cast<int>(j)))] = acting[j];
+  const std::vector<int> counts = path.closings(), acting = orbit.acting_contacts();
+  for (std::size_t j = 0; j < counts.size(); ++j) {
+    const auto closed = [j](const SequenceEvent& event) { return bool{event.closed[j]}; };
+    const bool throughout = path.start.closed[j] && std::ranges::all_of(path.events, closed);
+    all[static_cast<std::size_t>(acting[j])] = throughout ? -1 : counts[j];
+  }
   return all;
 }
 
 bool same_sequence(const ExactTrajectory& a, const ExactTrajectory& b) { return closings(a) == closings(b); }
-
-/// An orbit of few vectors, and the displacements added to it.
-struct ProbedOrbit {
-  const Problem& problem;
-  const ContactSpace& space;
-  const ContactReduction& model;    // that it is one of
-  const std::vector<int>& closing;  // contacts that act in it
-  const ExactTrajectory& orbit;
-  const Eigen::MatrixXcd& added;
-  const Eigen::MatrixXd& x;  // samples
-  const SearchOptions& search;
-  std::shared_ptr<SharedModes> shared;
-
-  /// What the vectors are wrong by under a force.
-  [[nodiscard]] Eigen::MatrixXcd misfit(const Eigen::MatrixXcd& of) const {
-    const double base = problem.base_frequency();
-    return contact_response(space.whole(), base, of) - contact_response(model, base, of);
-  }
-};
-
-struct Probed {
-  bool same_events = false;
-  double amplification = 0.0;  // largest |change of x| / |displacement|
-  double rate = 0.0;           // largest |change of the misfit| / |displacement|, with a defect given
-  long iterations = 0;
-};
-
-/// How much more than themselves displacements of a length change x. The first is x itself, as an error of
-/// the compliance would be; each further one is what the one before has changed, so that they turn to where x
-/// answers most; the last one is the defect, if that is given.
-Probed probed_by(const ProbedOrbit& of, double length, const Eigen::MatrixXcd* defect) {
-  Probed result;
-  const int harmonics = static_cast<int>(of.added.rows()) - 1;
-  Eigen::MatrixXd change = of.x.rowwise() - of.x.colwise().mean();
-  for (int k = 0; k < kProbes + (defect == nullptr ? 0 : 1); ++k) {
-    Eigen::MatrixXcd moved =
-        k < kProbes ? force_spectrum(change, {}, of.problem.period(), harmonics) : *defect;
-    const double norm = series_norm(moved);
-    if (norm == 0.0) continue;
-    if (!std::isfinite(norm)) return result;
-    moved *= length / norm;
-    const CondensedStructure structure = displaced(of.model, of.added + moved, of.problem.base_frequency());
-    OrbitFinder finder(of.problem, with_open_contacts(structure, of.closing), of.shared);
-    const OrbitSearch found = finder.find(of.orbit.orbit(), of.search);
-    result.iterations += found.iterations;
-    if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, of.orbit)) return result;
-    if (defect != nullptr) {
-      const Eigen::MatrixXcd force = found.orbit.trajectory->force_spectrum(harmonics);
-      if (force.size() == 0) return result;
-      // The misfit under the orbit's own force is what was added and what is left.
-      const double change_of_misfit = series_norm(of.misfit(force) - of.added - *defect);
-      result.rate = std::max(result.rate, change_of_misfit / length);
-    }
-    change = found.orbit.trajectory->sample(static_cast<int>(of.x.rows())).x - of.x;
-    result.amplification = std::max(result.amplification, std::sqrt(change.array().square().mean()) / length);
-  }
-  result.same_events = true;
-  return result;
-}
 
 /// One deferred correction of a scene.
 class Correction {
  public:
   Correction(const Problem& problem, const ContactSpace& space, const OrbitCorrectionSettings& settings,
              Eigen::MatrixXcd added)
-      : problem_(problem),
-        space_(space),
-        settings_(settings),
-        model_(space.small()),
-        base_(problem.base_frequency()),
-        shared_(std::make_shared<SharedModes>()),
-        added_(std::move(added)) {}
+      : problem_(problem), space_(space), settings_(settings), added_(std::move(added)) {}
 
   CorrectedOrbit run(ExactOrbit first) {
     result_.orbit = std::move(first);
@@ -183,49 +112,12 @@ class Correction {
   [[nodiscard]] bool done() const { return settled_ && (enough() || rate() > kSlowestCorrection); }
 
   /// Defect of the present orbit, and by how much it has changed. False without its force.
-  bool measure() {
-    const ExactTrajectory& orbit = *result_.orbit.trajectory;
-    const int order = problem_.subharmonic, harmonics = settings_.harmonics * order;
-    const Eigen::MatrixXcd force = orbit.force_spectrum(harmonics);
-    if (force.size() == 0) return false;
-    const Eigen::MatrixXd x = orbit.sample(kComparedInstants * order).x;
-    size_ = size_about_mean(x);
-    const double wanted = kNegligible * std::max(settings_.tolerance, rounding(x)) * size_;
-    Eigen::VectorXd bound = space_.bound(base_, force);
-    if (root_mean_square(bound) > wanted) {
-      space_ = space_.grown_for(base_, {{.force = force, .tolerance = wanted}});
-      bound = space_.bound(base_, force);
-    }
-    space_ = space_.solved_for(base_, force, kLeftBySolved * settings_.tolerance * size_);
-    result_.vectors = space_.whole().vectors();
-    result_.solved = model_.vectors();
-    const Eigen::MatrixXcd whole = contact_response(space_.whole(), base_, force);
-    missing_ = whole - contact_response(space_.small(), base_, force);
-    Eigen::MatrixXcd defect = whole - contact_response(model_, base_, force);
-    if (added_.rows() > 0) defect.topRows(added_.rows()) -= added_;
-    if (!result_.defects.empty()) {
-      const double change = std::sqrt((x - x_).array().square().mean()) / size_;
-      if (applied_ > kTellingDefect)
-        result_.amplification = std::max(result_.amplification, change / applied_);
-    }
-    result_.peak = sample_series(defect, 2 * harmonics).cwiseAbs().maxCoeff() / size_;
-    result_.tail = beyond(defect) / size_;
-    result_.outside = (root_mean_square(bound) + beyond(bound.cast<std::complex<double>>())) / size_;
-    result_.rounding = rounding(x);
-    if (result_.defects.empty()) {
-      shifted_ = std::max(added_.rows(), shifted());
-      added_.conservativeResizeLike(Eigen::MatrixXcd::Zero(shifted_, force.cols()));
-    }
-    defect_ = defect.topRows(shifted_);
-    result_.defects.push_back(series_norm(defect_) / size_);
-    result_.unshifted = series_norm(defect, shifted_) / size_;
-    // A correction takes away all but what its own vectors leave in the harmonics that are not added.
-    const Eigen::Index others = defect.rows() - shifted_;
-    defect.bottomRows(others) -= missing_.bottomRows(others);
-    applied_ = series_norm(defect) / size_;
-    x_ = x;
-    return true;
-  }
+  bool measure();
+  /// How much more than themselves displacements as large as what is left change x. The first is x itself, as
+  /// an error of the compliance would be; each further one is what the one before has changed, so that they
+  /// turn to where x answers most. Without a correction the last one is the defect, and all tell the rate of
+  /// corrections too. False where one changes the events.
+  bool probe();
 
   /// What the rounding of K's factors does to x.
   [[nodiscard]] double rounding(const Eigen::MatrixXd& x) const {
@@ -247,18 +139,6 @@ class Correction {
     result_.iterations += found.iterations;
     result_.orbit = std::move(found.orbit);
     settled_ = result_.orbit.trajectory && same_sequence(*before, *result_.orbit.trajectory);
-  }
-
-  /// False where a probe changes the events. Without a correction probes tell the rate of corrections too.
-  bool probe() {
-    const double least = std::clamp(result_.defects.back() + rest(), kLeastProbe, kLargestProbe);
-    const ProbedOrbit probing{problem_, space_, model_,           closing_, *result_.orbit.trajectory,
-                              added_,   x_,     settings_.search, shared_};
-    const Probed probed = probed_by(probing, least * size_, result_.defects.size() == 1 ? &defect_ : nullptr);
-    result_.iterations += probed.iterations;
-    result_.amplification = std::max(result_.amplification, probed.amplification);
-    probed_rate_ = std::max(probed_rate_, probed.rate);
-    return probed.same_events;
   }
 
   /// Harmonics that are added, the constant included: so many that the others are below the rest of the bar.
@@ -304,23 +184,22 @@ class Correction {
 
   void conclude() {
     const double fallen = 1.0 - std::min(defect_rate(), kSlowestCorrection);
-    const double own = result_.orbit.error_bar * scale() / size_;
+    // The orbit's own error bar is in X.
+    const double own = result_.orbit.error_bar * result_.orbit.trajectory->scales().displacement / size_;
     result_.bar = kBarSafety * result_.amplification * (result_.defects.back() / fallen + rest()) + own;
   }
-
-  /// X, in which the orbit's own error bar is.
-  [[nodiscard]] double scale() const { return result_.orbit.trajectory->scales().displacement; }
 
   const Problem& problem_;
   ContactSpace space_;
   const OrbitCorrectionSettings& settings_;
-  ContactReduction model_;  // that the present orbit is one of
-  double base_, size_ = 1.0;
+  ContactReduction model_ = space_.small();  // that the present orbit is one of
+  const double base_ = problem_.base_frequency();
+  double size_ = 1.0;
   double applied_ = 0.0;      // displacement by which a correction changes the present orbit
   double before_ = 0.0;       // what corrections could reduce before the last one
   Eigen::Index shifted_ = 0;  // harmonics added
   std::vector<int> closing_;  // contacts that act in the orbits
-  std::shared_ptr<SharedModes> shared_;
+  std::shared_ptr<SharedModes> shared_ = std::make_shared<SharedModes>();
   Eigen::MatrixXcd missing_, added_;  // of the present orbit, and in it
   Eigen::MatrixXcd defect_;           // of the present orbit, in the harmonics that are added
   double probed_rate_ = 0.0;
@@ -328,6 +207,81 @@ class Correction {
   bool settled_ = true;
   CorrectedOrbit result_;
 };
+
+bool Correction::measure() {
+  const ExactTrajectory& orbit = *result_.orbit.trajectory;
+  const int order = problem_.subharmonic, harmonics = settings_.harmonics * order;
+  const Eigen::MatrixXcd force = orbit.force_spectrum(harmonics);
+  if (force.size() == 0) return false;
+  const Eigen::MatrixXd x = orbit.sample(kComparedInstants * order).x;
+  size_ = size_about_mean(x);
+  const double wanted = kNegligible * std::max(settings_.tolerance, rounding(x)) * size_;
+  Eigen::VectorXd bound = space_.bound(base_, force);
+  if (root_mean_square(bound) > wanted) {
+    space_ = space_.grown_for(base_, {{.force = force, .tolerance = wanted}});
+    bound = space_.bound(base_, force);
+  }
+  space_ = space_.solved_for(base_, force, kLeftBySolved * settings_.tolerance * size_);
+  result_.vectors = space_.whole().vectors();
+  result_.solved = model_.vectors();
+  const Eigen::MatrixXcd whole = contact_response(space_.whole(), base_, force);
+  missing_ = whole - contact_response(space_.small(), base_, force);
+  Eigen::MatrixXcd defect = whole - contact_response(model_, base_, force);
+  if (added_.rows() > 0) defect.topRows(added_.rows()) -= added_;
+  if (!result_.defects.empty()) {
+    const double change = std::sqrt((x - x_).array().square().mean()) / size_;
+    if (applied_ > kTellingDefect) result_.amplification = std::max(result_.amplification, change / applied_);
+  }
+  result_.peak = sample_series(defect, 2 * harmonics).cwiseAbs().maxCoeff() / size_;
+  result_.tail = beyond(defect) / size_;
+  result_.outside = (root_mean_square(bound) + beyond(bound.cast<std::complex<double>>())) / size_;
+  result_.rounding = rounding(x);
+  if (result_.defects.empty()) {
+    shifted_ = std::max(added_.rows(), shifted());
+    added_.conservativeResizeLike(Eigen::MatrixXcd::Zero(shifted_, force.cols()));
+  }
+  defect_ = defect.topRows(shifted_);
+  result_.defects.push_back(series_norm(defect_) / size_);
+  result_.unshifted = series_norm(defect, shifted_) / size_;
+  // A correction takes away all but what its own vectors leave in the harmonics that are not added.
+  const Eigen::Index others = defect.rows() - shifted_;
+  defect.bottomRows(others) -= missing_.bottomRows(others);
+  applied_ = series_norm(defect) / size_;
+  x_ = x;
+  return true;
+}
+
+bool Correction::probe() {
+  const ExactTrajectory& orbit = *result_.orbit.trajectory;
+  const double length = std::clamp(result_.defects.back() + rest(), kLeastProbe, kLargestProbe) * size_;
+  const bool uncorrected = result_.defects.size() == 1;
+  const int harmonics = static_cast<int>(added_.rows()) - 1;
+  Eigen::MatrixXd change = x_.rowwise() - x_.colwise().mean();
+  for (int k = 0; k < kProbes + (uncorrected ? 1 : 0); ++k) {
+    Eigen::MatrixXcd moved = k < kProbes ? force_spectrum(change, {}, problem_.period(), harmonics) : defect_;
+    const double norm = series_norm(moved);
+    if (norm == 0.0) continue;
+    if (!std::isfinite(norm)) return false;
+    moved *= length / norm;
+    const CondensedStructure structure = displaced(model_, added_ + moved, base_);
+    OrbitFinder finder(problem_, with_open_contacts(structure, closing_), shared_);
+    const OrbitSearch found = finder.find(orbit.orbit(), settings_.search);
+    result_.iterations += found.iterations;
+    if (!found.orbit.certified() || !same_sequence(*found.orbit.trajectory, orbit)) return false;
+    if (uncorrected) {
+      const Eigen::MatrixXcd force = found.orbit.trajectory->force_spectrum(harmonics);
+      if (force.size() == 0) return false;
+      // The misfit under the orbit's own force is what was added and what is left.
+      const Eigen::MatrixXcd misfit =
+          contact_response(space_.whole(), base_, force) - contact_response(model_, base_, force);
+      probed_rate_ = std::max(probed_rate_, series_norm(misfit - added_ - defect_) / length);
+    }
+    change = found.orbit.trajectory->sample(static_cast<int>(x_.rows())).x - x_;
+    result_.amplification =
+        std::max(result_.amplification, std::sqrt(change.array().square().mean()) / length);
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -338,22 +292,18 @@ double size_about_mean(const Eigen::MatrixXd& x) {
 
 CondensedStructure displaced(const ContactReduction& reduction, const Eigen::MatrixXcd& added, double base) {
   CondensedStructure result = condensed(reduction);
+  const auto harmonic = [base](double rate) { return static_cast<Eigen::Index>(std::lround(rate / base)); };
+  Eigen::Index count = added.rows();
+  for (const double rate : reduction.rates) count = std::max(count, harmonic(rate) + 1);
   std::vector<double> rates;
-  for (Eigen::Index n = 0; n < added.rows(); ++n) rates.push_back(static_cast<double>(n) * base);
-  std::vector<Eigen::Index> column;  // of the load's harmonics
-  for (const double rate : reduction.rates) {
-    const auto n = static_cast<Eigen::Index>(std::lround(rate / base));
-    while (static_cast<Eigen::Index>(rates.size()) <= n)
-      rates.push_back(static_cast<double>(rates.size()) * base);
-    rates[static_cast<std::size_t>(n)] = rate;  // as it is, to the last digit
-    column.push_back(n);
-  }
-  const auto count = static_cast<Eigen::Index>(rates.size());
+  for (Eigen::Index n = 0; n < count; ++n) rates.push_back(static_cast<double>(n) * base);
   result.load = Eigen::MatrixXcd::Zero(reduction.vectors(), count);
   result.shift = Eigen::MatrixXcd::Zero(reduction.contacts(), count);
-  for (std::size_t h = 0; h < column.size(); ++h) {
-    result.load.col(column[h]) = reduction.load.col(static_cast<Eigen::Index>(h));
-    result.shift.col(column[h]) = reduction.shift.col(static_cast<Eigen::Index>(h));
+  for (std::size_t h = 0; h < reduction.rates.size(); ++h) {
+    const Eigen::Index n = harmonic(reduction.rates[h]);
+    rates[static_cast<std::size_t>(n)] = reduction.rates[h];  // as it is, to the last digit
+    result.load.col(n) = reduction.load.col(static_cast<Eigen::Index>(h));
+    result.shift.col(n) = reduction.shift.col(static_cast<Eigen::Index>(h));
   }
   for (Eigen::Index n = 0; n < added.rows(); ++n) {
     const double factor = n == 0 ? 1.0 : 2.0, rate = rates[static_cast<std::size_t>(n)];

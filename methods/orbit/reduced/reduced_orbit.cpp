@@ -1,5 +1,7 @@
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -16,28 +18,22 @@ namespace signorini {
 
 namespace {
 
-/// What the vectors of a space are chosen for, and what they miss is added from.
-struct Given {
-  Eigen::MatrixXcd force;  // of a motion
-  double left = 0.0;       // of x, that may be left out [m]
-};
-
-Given given_by(const Problem& problem, const Trajectory& motion, const OrbitCorrectionSettings& settings) {
+/// On the vectors that a space solves on, or on those that the force of the motion needs.
+ReducedOrbit orbit_near(const Problem& problem, const ContactSpace& given, const Trajectory& motion,
+                        const OrbitCorrectionSettings& settings, bool chosen) {
   constexpr int kInstants = 512;
   const int order = problem.subharmonic;
-  return {.force = force_spectrum(motion, settings.shifted * order),
-          .left = kLeftBySolved * settings.tolerance * size_about_mean(motion.sample(kInstants * order).x)};
-}
-
-/// On the vectors that `space` solves on.
-ReducedOrbit orbit_near(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
-                        const Given& given, const OrbitCorrectionSettings& settings) {
   const double base = problem.base_frequency();
+  const Eigen::MatrixXcd force = force_spectrum(motion, settings.shifted * order);
+  const double left =
+      kLeftBySolved * settings.tolerance * size_about_mean(motion.sample(kInstants * order).x);
+  std::optional<ContactSpace> own;
+  if (chosen) own = given.solved_for(base, force, left);
+  const ContactSpace& space = own ? *own : given;
   // What the vectors miss of the response to this force is added from the start: without it the motion is
   // none of theirs, and contacts that touch briefly would come and go in another order.
-  Eigen::MatrixXcd added = space.missing(base, given.force);
-  added.conservativeResize(harmonics_to_add(added, given.left, problem.subharmonic, settings),
-                           Eigen::NoChange);
+  Eigen::MatrixXcd added = space.missing(base, force);
+  added.conservativeResize(harmonics_to_add(added, left, order, settings), Eigen::NoChange);
   ReducedOrbit result{.corrected = {}, .start = "the motion given"};
   result.corrected.solved = space.small().vectors();
   std::vector<int> closing = pushing_contacts(motion);
@@ -71,18 +67,18 @@ bool prefers_reduction(const Problem& problem) {
 
 ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& space,
                                 const OrbitCorrectionSettings& settings) {
-  constexpr int kFiner = 4, kFinest = 16;  // grid than the one before, and than the first
+  constexpr std::array kFiner{1, 4, 16};  // grids than the first
   OrbitCorrectionSettings quick = settings;
   quick.search.rounds = 1;
   quick.search.shootings = quick.search.marched = 0;
   ReducedOrbit result;
   long iterations = 0;
   PeriodicMarch marched;
-  for (int factor = 1; factor <= kFinest; factor *= kFiner) {
+  for (const int factor : kFiner) {
     ContactMarch march(space.small(), march_grid(problem, factor * kMarchedPerPeriod * problem.subharmonic));
     marched = factor == 1 ? march_to_periodic_motion(march) : march_from(march, marched.state);
     const NodalTrajectory motion(problem.period(), std::move(marched.motion), std::move(marched.force));
-    result = polish_reduced_orbit(problem, space, motion, factor == kFinest ? settings : quick);
+    result = polish_reduced_orbit(problem, space, motion, factor == kFiner.back() ? settings : quick);
     result.start = "marching, " + std::string(describe(marched.by));
     iterations += result.iterations + marched.newton_steps;
     if (result.corrected.bar || settings.search.expired()) break;
@@ -93,15 +89,12 @@ ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& spac
 
 ReducedOrbit polish_reduced_orbit(const Problem& problem, const ContactSpace& space, const Trajectory& motion,
                                   const OrbitCorrectionSettings& settings) {
-  const Given given = given_by(problem, motion, settings);
-  if (space.small_is_given()) return orbit_near(problem, space, motion, given, settings);
-  const ContactSpace own = space.solved_for(problem.base_frequency(), given.force, given.left);
-  return orbit_near(problem, own, motion, given, settings);
+  return orbit_near(problem, space, motion, settings, !space.small_is_given());
 }
 
 ReducedOrbit continue_reduced_orbit(const Problem& problem, const ContactSpace& space,
                                     const Trajectory& motion, const OrbitCorrectionSettings& settings) {
-  return orbit_near(problem, space, motion, given_by(problem, motion, settings), settings);
+  return orbit_near(problem, space, motion, settings, false);
 }
 
 }  // namespace signorini

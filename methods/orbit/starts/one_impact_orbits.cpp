@@ -20,14 +20,12 @@ class ImpactBalance {
       : structure_(model.dynamics.structure()),
         contact_(contact),
         period_(order * structure_.forcing_period),
-        e_(model.dynamics.restitution(contact)) {
+        e_(model.dynamics.restitution(contact)),
+        flow_(model.flows.of(open_)) {
     const auto free = contact_free_motion(model);
-    const std::vector<bool> open(static_cast<std::size_t>(structure_.contact_count()), false);
-    flow_ = &model.flows.of(open);
     const Eigen::Index n = structure_.size();
-    struck_ = Eigen::VectorXd::Zero(structure_.states());
     struck_.tail(n) = structure_.velocity_per_impulse.col(contact);
-    const PeriodicClosure closure(*flow_, structure_.scales, period_);
+    const PeriodicClosure closure(flow_, structure_.scales, period_);
     const Eigen::VectorXd w = structure_.directions.col(contact);
     if (!free || !closure.unique()) {
       border(w);
@@ -37,13 +35,12 @@ class ImpactBalance {
     g0_ = w.dot(after_.head(n));
     g_after_ = w.dot(after_.tail(n));
     g_before_ = g_after_ - w.dot(struck_.tail(n));
-    arc_ = flow_->arc();
     arc_->start(0.0, *free);
   }
 
   // Whether there is one impulse to each phase.
   [[nodiscard]] bool defined() const {
-    return bordered_ ? bordered_->regular() : arc_ != nullptr && g0_ != 0.0 && std::isfinite(g0_);
+    return bordered_ ? bordered_->regular() : g0_ != 0.0 && std::isfinite(g0_);
   }
   [[nodiscard]] double impulse(double time) const {
     if (bordered_) return struck_at(time)[structure_.states()];
@@ -62,7 +59,7 @@ class ImpactBalance {
   // The orbit with its impact at a time, from half a period before.
   [[nodiscard]] OrbitGuess orbit(double time) const {
     const Eigen::Index p = structure_.positions(), n = structure_.size();
-    OrbitGuess guess{.start = {.time = time - 0.5 * period_, .state = {}, .closed = {}},
+    OrbitGuess guess{.start = {.time = time - 0.5 * period_, .state = {}, .closed = open_},
                      .events = {},
                      .origin = "one impact"};
     if (bordered_) {
@@ -71,38 +68,33 @@ class ImpactBalance {
       arc_->state(time + 0.5 * period_, guess.start.state);
     } else {
       arc_->state(guess.start.time, guess.start.state);
-      const Eigen::VectorXd y = impulse(time) * (flow_->transition(0.5 * period_) * after_);
+      const Eigen::VectorXd y = impulse(time) * (flow_.transition(0.5 * period_) * after_);
       guess.start.state.u += y.head(p);
       guess.start.state.v += y.tail(n);
     }
-    guess.start.closed.assign(static_cast<std::size_t>(structure_.contact_count()), false);
     guess.events.push_back({.kind = ContactEvent::Kind::impact,
                             .contact = contact_,
                             .time = time,
                             .pushed = {contact_},
                             .restitution = {e_},
-                            .closed = guess.start.closed});
+                            .closed = open_});
     return guess;
   }
 
  private:
   // Where free motions return by themselves: the contact's place is one more equation.
   void border(const Eigen::VectorXd& w) {
-    const Eigen::Index p = structure_.positions(), n = structure_.size(), states = p + n;
-    const double length = structure_.scales.displacement, speed = structure_.scales.velocity;
+    const Eigen::Index n = structure_.size(), states = structure_.states();
     units_.resize(states + 1);
-    units_ << Eigen::VectorXd::Constant(p, length), Eigen::VectorXd::Constant(n, speed),
-        speed / w.dot(struck_.tail(n));
+    units_ << state_units(flow_, structure_.scales), structure_.scales.velocity / w.dot(struck_.tail(n));
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(states + 1, states + 1);
-    matrix.topLeftCorner(states, states) = -flow_->transition(period_);
+    matrix.topLeftCorner(states, states) = -flow_.transition(period_);
     matrix.diagonal().head(states).array() += 1.0;
     matrix.col(states).head(states) = -struck_;
     matrix.row(states).head(n) = w.transpose();
-    Eigen::VectorXd rows = units_;
-    rows[states] = length;
-    bordered_.emplace(Eigen::MatrixXd(rows.cwiseInverse().asDiagonal() * matrix * units_.asDiagonal()));
-    rows_ = rows;
-    arc_ = flow_->arc();
+    rows_ = units_;
+    rows_[states] = structure_.scales.displacement;
+    bordered_.emplace(Eigen::MatrixXd(rows_.cwiseInverse().asDiagonal() * matrix * units_.asDiagonal()));
   }
   // The state right after an impact at a time and its impulse, Ns + 1.
   [[nodiscard]] Eigen::VectorXd struck_at(double time) const {
@@ -118,11 +110,14 @@ class ImpactBalance {
   const FlowStructure& structure_;
   const int contact_;
   const double period_, e_;
-  const LinearFlow* flow_ = nullptr;
-  Eigen::VectorXd struck_, after_;  // a unit impulse, the state right after periodic ones, Ns
+  const std::vector<bool> open_ =
+      std::vector<bool>(static_cast<std::size_t>(structure_.contact_count()), false);
+  const LinearFlow& flow_;
+  Eigen::VectorXd struck_ = Eigen::VectorXd::Zero(structure_.states());  // by a unit impulse, Ns
+  Eigen::VectorXd after_;  // the state right after periodic ones, Ns
   double g0_ = 0.0, g_after_ = 0.0, g_before_ = 0.0;
-  std::unique_ptr<LinearArc> arc_;             // the contact-free motion
-  std::optional<CompleteLuFactors> bordered_;  // [I - Phi, -M^-1 W; W^T, 0] in these units
+  std::unique_ptr<LinearArc> arc_ = flow_.arc();  // the contact-free motion
+  std::optional<CompleteLuFactors> bordered_;     // [I - Phi, -M^-1 W; W^T, 0] in these units
   Eigen::VectorXd units_, rows_;
 };
 
@@ -136,26 +131,24 @@ std::vector<SequencedOrbit> one_impact_orbits(OrbitFamily& family, double parame
   if (!balance.defined()) return {};
   const FlowStructure& structure = model->dynamics.structure();
   const double T = structure.forcing_period;
-  std::vector<double> times;
-  if (!family.driven()) {
-    times.push_back(0.5 * T);
-  } else {
-    double before = balance.defect(0.0);
-    for (int i = 1; i <= kSamples; ++i) {
-      const double low = (i - 1) * T / kSamples, high = i * T / kSamples;
-      const double after = balance.defect(high);
-      if (before * after < 0.0) {
-        const auto defect = [&](double time) { return balance.defect(time); };
-        const auto zero = bracketed_zero(defect, {low, before, high, after}, kEpsilon * T);
-        if (zero) times.push_back(zero->a);
-      }
-      before = after;
-    }
-  }
   std::vector<SequencedOrbit> orbits;
-  for (const double time : times) {
+  const auto add = [&](double time) {
     if (balance.impulse(time) < 0.0)
       orbits.push_back(sequenced(family, balance.orbit(time), order * T, structure.frequency, parameter));
+  };
+  if (!family.driven()) {
+    add(0.5 * T);
+    return orbits;
+  }
+  const auto defect = [&](double time) { return balance.defect(time); };
+  double before = defect(0.0);
+  for (int i = 1; i <= kSamples; ++i) {
+    const double low = (i - 1) * T / kSamples, high = i * T / kSamples;
+    const double after = defect(high);
+    if (before * after < 0.0) {
+      if (const auto zero = bracketed_zero(defect, {low, before, high, after}, kEpsilon * T)) add(zero->a);
+    }
+    before = after;
   }
   return orbits;
 }

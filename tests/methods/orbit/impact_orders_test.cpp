@@ -135,10 +135,11 @@ TEST(ImpactOrders, OfTwinsThatDoNotFeelEachOtherAreThoseOfEither) {
   const ExactOrbit orbit = symmetric_orbit({.problem = twins({}), .motions = kTogether});
   ASSERT_TRUE(orbit.certified()) << orbit.reason;
   ASSERT_EQ(orbit.trajectory->orbit().events.size(), 2U);
-  EXPECT_EQ(orbit.undefined, "");
-  EXPECT_TRUE(orbit.orders.empty());
-  ASSERT_EQ(orbit.multipliers.size(), 4);
-  for (const auto& mu : orbit.multipliers) {  // the closed form of one impact: trace 0.1426933, det 0.4810008
+  EXPECT_EQ(orbit.multipliers.undefined, "");
+  EXPECT_TRUE(orbit.multipliers.orders.empty());
+  ASSERT_EQ(orbit.multipliers.values.size(), 4);
+  for (const auto& mu :
+       orbit.multipliers.values) {  // the closed form of one impact: trace 0.1426933, det 0.4810008
     EXPECT_NEAR(mu.real(), 0.07134665, 1e-7);
     EXPECT_NEAR(std::norm(mu), 0.4810008, 1e-7);
   }
@@ -148,20 +149,20 @@ TEST(ImpactOrders, OfTwinsThatFeelEachOtherByDampersExpand) {
   const ExactOrbit orbit =
       symmetric_orbit({.problem = twins({.spring = 0.5, .damper = 0.05}), .motions = kTogether});
   ASSERT_TRUE(orbit.certified()) << orbit.reason;
-  EXPECT_EQ(orbit.undefined, "");
-  ASSERT_EQ(orbit.orders.size(), 2U);
-  EXPECT_EQ(orbit.orders[0].contacts, (std::vector<std::vector<int>>{{0, 1}}));
-  EXPECT_EQ(orbit.orders[1].contacts, (std::vector<std::vector<int>>{{1, 0}}));
-  for (const ImpactOrder& order : orbit.orders) EXPECT_NEAR(order.largest, 2.593212, 1e-5);
-  EXPECT_NEAR(largest_magnitude(orbit.multipliers), 2.593212, 1e-5);
+  EXPECT_EQ(orbit.multipliers.undefined, "");
+  ASSERT_EQ(orbit.multipliers.orders.size(), 2U);
+  EXPECT_EQ(orbit.multipliers.orders[0].contacts, (std::vector<std::vector<int>>{{0, 1}}));
+  EXPECT_EQ(orbit.multipliers.orders[1].contacts, (std::vector<std::vector<int>>{{1, 0}}));
+  for (const ImpactOrder& order : orbit.multipliers.orders) EXPECT_NEAR(order.largest, 2.593212, 1e-5);
+  EXPECT_NEAR(largest_magnitude(orbit.multipliers.values), 2.593212, 1e-5);
 }
 
 TEST(ImpactOrders, AreUndefinedWhereTheMassCouplesThem) {
   const ExactOrbit orbit = symmetric_orbit({.problem = bar(0.4, 0.4, 0.1, 0.8), .motions = kHeave});
   ASSERT_TRUE(orbit.certified()) << orbit.reason;
-  EXPECT_EQ(orbit.undefined, kDependsOnOrder);
-  EXPECT_TRUE(orbit.orders.empty());
-  EXPECT_EQ(orbit.multipliers.size(), 0);
+  EXPECT_EQ(orbit.multipliers.undefined, kDependsOnOrder);
+  EXPECT_TRUE(orbit.multipliers.orders.empty());
+  EXPECT_EQ(orbit.multipliers.values.size(), 0);
   EXPECT_EQ(orbit.trajectory->impulses().size(), 2U);
 }
 
@@ -183,9 +184,9 @@ TEST(ImpactOrders, OfThreeAreThoseOfTheContactsThatFeelEachOther) {
   const Problem three = test::row_of_oscillators(3, 0.3, 0.05);
   const ExactOrbit orbit = symmetric_orbit({.problem = three, .motions = together});
   ASSERT_TRUE(orbit.certified()) << orbit.reason;
-  ASSERT_EQ(orbit.orders.size(), 4U);
+  ASSERT_EQ(orbit.multipliers.orders.size(), 4U);
   int compared = 0;
-  for (const ImpactOrder& order : orbit.orders) {
+  for (const ImpactOrder& order : orbit.multipliers.orders) {
     ASSERT_EQ(order.contacts.size(), 1U);
     const auto P = difference(NewtonFlow(three), *orbit.trajectory, order.contacts[0]);
     if (!P) continue;
@@ -196,8 +197,8 @@ TEST(ImpactOrders, OfThreeAreThoseOfTheContactsThatFeelEachOther) {
   EXPECT_GE(compared, 3);
   const ExactOrbit two =
       symmetric_orbit({.problem = test::row_of_oscillators(3, 0.3, 0.05, true), .motions = together});
-  ASSERT_EQ(two.orders.size(), 2U);
-  EXPECT_EQ(two.orders[0].contacts, (std::vector<std::vector<int>>{{1, 2}}));
+  ASSERT_EQ(two.multipliers.orders.size(), 2U);
+  EXPECT_EQ(two.multipliers.orders[0].contacts, (std::vector<std::vector<int>>{{1, 2}}));
 }
 
 // What became of the scenes.
@@ -220,25 +221,27 @@ void compare(const SymmetricScene& scene, Tally& tally) {
   }
   ASSERT_EQ(orbit.trajectory->impulses().size() % 2, 0U) << scene.name;
   const bool coupled = scene.name.find("by mass") != std::string::npos;
-  EXPECT_EQ(coupled, !orbit.undefined.empty() && orbit.orders.empty()) << scene.name;
+  EXPECT_EQ(coupled, !orbit.multipliers.undefined.empty() && orbit.multipliers.orders.empty()) << scene.name;
   if (coupled) {
     ++tally.by_mass;
     return;
   }
   const NewtonFlow flow(scene.problem);
-  EXPECT_EQ(orbit.orders.empty(), scene.name.find("by dampers") == std::string::npos) << scene.name;
-  if (orbit.orders.empty()) {
+  EXPECT_EQ(orbit.multipliers.orders.empty(), scene.name.find("by dampers") == std::string::npos)
+      << scene.name;
+  if (orbit.multipliers.orders.empty()) {
     ++tally.defined;
     const auto P = difference(flow, *orbit.trajectory, contacts_of(*orbit.trajectory));
     if (!P) return;
     ++tally.compared;
-    EXPECT_LT(apart(*P, orbit.multipliers), kDifference * (1.0 + largest_magnitude(orbit.multipliers)))
+    EXPECT_LT(apart(*P, orbit.multipliers.values),
+              kDifference * (1.0 + largest_magnitude(orbit.multipliers.values)))
         << scene.name;
     return;
   }
-  ++(orbit.undefined.empty() ? tally.unstable_by_order : tally.undefined_by_order);
-  bool expands_as_told = !orbit.undefined.empty();
-  for (const ImpactOrder& order : orbit.orders) {
+  ++(orbit.multipliers.undefined.empty() ? tally.unstable_by_order : tally.undefined_by_order);
+  bool expands_as_told = !orbit.multipliers.undefined.empty();
+  for (const ImpactOrder& order : orbit.multipliers.orders) {
     std::vector<int> met;
     for (const auto& instant : order.contacts) met.insert(met.end(), instant.begin(), instant.end());
     const auto P = difference(flow, *orbit.trajectory, met);
@@ -246,8 +249,8 @@ void compare(const SymmetricScene& scene, Tally& tally) {
     ++tally.compared;
     const double largest = P->eigenvalues().cwiseAbs().maxCoeff();
     EXPECT_NEAR(largest, order.largest, kDifference * (1.0 + largest)) << scene.name;
-    expands_as_told |=
-        orbit.undefined.empty() && apart(*P, orbit.multipliers) < kDifference * (1.0 + largest);
+    expands_as_told |= orbit.multipliers.undefined.empty() &&
+                       apart(*P, orbit.multipliers.values) < kDifference * (1.0 + largest);
   }
   EXPECT_TRUE(expands_as_told) << scene.name;
 }

@@ -192,7 +192,7 @@ TEST(ExactOrbits, ExistInPairsDownToTheFoldAndNotBelow) {
     // Beside a fold the orbit is ill-conditioned: its own error bar is the measure.
     EXPECT_NEAR(-found.orbit.trajectory->impulses()[0].value, closed.impulse,
                 std::max(1e-12, 10.0 * found.orbit.error_bar));
-    EXPECT_EQ(largest_magnitude(found.orbit.multipliers) < 1.0, closed.stable());
+    EXPECT_EQ(largest_magnitude(found.orbit.multipliers.values) < 1.0, closed.stable());
     stable += closed.stable() ? 1 : 0;
     last = found;
   }

@@ -68,7 +68,7 @@ TEST(PolishOutcome, GrazingIsRecognised) {
   options.grazing = 1e-3;
   const ExactOrbit orbit = polish_sequence(std::make_shared<OrbitModel>(problem), guess, options);
   EXPECT_EQ(orbit.outcome, OrbitOutcome::grazing) << orbit.reason;
-  EXPECT_EQ(orbit.multipliers.size(), 0);
+  EXPECT_EQ(orbit.multipliers.values.size(), 0);
 }
 
 TEST(PolishOutcome, UndampedResonanceHasNoOrbit) {

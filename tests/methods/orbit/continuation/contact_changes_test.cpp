@@ -45,7 +45,7 @@ TEST(PastChange, MeetsTheSpecialPointsOfSpringStops) {
       const ExactOrbit orbit = polished(scene, *one, i);
       // A phase of contact of next to no length is refused by the polish.
       if (orbit.outcome != OrbitOutcome::converged) continue;
-      EXPECT_EQ(point.stability == OrbitStability::stable, largest_magnitude(orbit.multipliers) < 1.0)
+      EXPECT_EQ(point.stability == OrbitStability::stable, largest_magnitude(orbit.multipliers.values) < 1.0)
           << point.parameter;
     }
   }

@@ -66,7 +66,7 @@ TEST_P(ResponseOfTheImpactOscillator, HasPointsThatAreOrbitsOfTheScene) {
       const ExactOrbit orbit = polished(scene, branch, i);
       ASSERT_EQ(orbit.outcome, OrbitOutcome::converged) << point.parameter << " " << orbit.reason;
       EXPECT_LE(orbit.iterations, 2) << point.parameter;
-      EXPECT_EQ(point.stability == OrbitStability::stable, largest_magnitude(orbit.multipliers) < 1.0)
+      EXPECT_EQ(point.stability == OrbitStability::stable, largest_magnitude(orbit.multipliers.values) < 1.0)
           << point.parameter;
       if (point.impacts != 1) continue;
       test::ImpactOscillator closed = oscillator();

@@ -108,8 +108,8 @@ TEST(GrazingStarts, LeadToTheDoublingsAndFoldsOfAnIndependentMarch) {
     for (std::size_t i = 1; i + 1 < two->points.size(); i += 4) {
       const ExactOrbit orbit = polished(scene, *two, i);
       if (orbit.outcome != OrbitOutcome::converged) continue;
-      EXPECT_NEAR(largest_magnitude(orbit.multipliers), largest_magnitude(two->points[i].multipliers),
-                  1e-6 * largest_magnitude(orbit.multipliers));
+      EXPECT_NEAR(largest_magnitude(orbit.multipliers.values), largest_magnitude(two->points[i].multipliers),
+                  1e-6 * largest_magnitude(orbit.multipliers.values));
     }
   }
 }

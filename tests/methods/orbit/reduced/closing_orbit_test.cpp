@@ -59,7 +59,8 @@ TEST_P(Damped, AnOrbitOfThoseThatCloseIsThatOfAllContacts) {
   EXPECT_LT(difference(few.orbit.trajectory->force_spectrum(20).cwiseAbs(),
                        all.orbit.trajectory->force_spectrum(20).cwiseAbs()),
             1e-9);
-  EXPECT_NEAR(largest_magnitude(few.orbit.multipliers), largest_magnitude(all.orbit.multipliers), 1e-8);
+  EXPECT_NEAR(largest_magnitude(few.orbit.multipliers.values),
+              largest_magnitude(all.orbit.multipliers.values), 1e-8);
   EXPECT_EQ(few.orbit.trajectory->events()->size(), all.orbit.trajectory->events()->size());
 }
 

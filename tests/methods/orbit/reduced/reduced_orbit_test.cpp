@@ -34,7 +34,7 @@ TEST(ReducedOrbit, OfABlockAboveNineNodesHasTwelveEvents) {
   ASSERT_TRUE(corrected.bar) << corrected.refusal << corrected.orbit.reason;
   EXPECT_EQ(corrected.orbit.trajectory->orbit().events.size(), 12U);
   EXPECT_LT(*corrected.bar, 1e-7);
-  EXPECT_LT(largest_magnitude(corrected.orbit.multipliers), 1.0);
+  EXPECT_LT(largest_magnitude(corrected.orbit.multipliers.values), 1.0);
   const ContactSpace fewer(block, {.small = 40, .whole = 120});
   const ReducedOrbit other = polish_reduced_orbit(block, fewer, *corrected.orbit.trajectory, {});
   ASSERT_TRUE(other.corrected.bar) << other.corrected.refusal << other.corrected.orbit.reason;
