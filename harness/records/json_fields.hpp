@@ -3,6 +3,7 @@
 // readers, tables and tests, as `visit` does for the options of a method. JSON objects and the structs that
 // they hold: every visited struct is written and read by the functions here.
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -17,7 +18,9 @@
 #include <vector>
 
 #include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
 #include "methods/options.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 
@@ -118,6 +121,19 @@ nlohmann::ordered_json write_fields(const T& object);
 /// Throws nlohmann's exceptions on missing keys and wrong types. \throws BadRecord for unknown names
 template <class T>
 void read_fields(const nlohmann::ordered_json& json, T& object);
+
+/// \throws BadRecord for a key that the visited struct has not: it may be one that is misspelt. \param group
+/// what stands before the key in the message, "work."
+template <Visited T>
+void require_known_keys(const nlohmann::ordered_json& json, const std::string& group = {}) {
+  std::vector<std::string> names;
+  const T none;
+  visit_fields(none, [&](const Field& field, const auto&) { names.emplace_back(field.name); });
+  for (const auto& [key, value] : json.items()) {
+    if (std::find(names.begin(), names.end(), key) == names.end())
+      throw BadRecord(group + one_line(key) + " = unknown (must be one of " + joined(names, ", ") + ")");
+  }
+}
 
 namespace json_detail {
 

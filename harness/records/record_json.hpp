@@ -70,13 +70,17 @@ void visit_fields(Either<SceneInstance> auto& instance, auto&& field) {
   field(required("values"), instance.values);
 }
 
+void visit_fields(Either<Work> auto& counts, auto&& field) {
+  field(Field{"unknowns"}, counts.unknowns);
+  field(Field{"iterations"}, counts.iterations);
+  field(Field{"pivots"}, counts.pivots);
+  field(Field{"rhs_evaluations"}, counts.rhs_evaluations);
+  field(Field{"factorisations"}, counts.factorisations);
+  field(Field{"points"}, counts.points);
+}
+
 void visit_fields(Either<WorkDone> auto& work, auto&& field) {
-  field(Field{"unknowns"}, work.counts.unknowns);
-  field(Field{"iterations"}, work.counts.iterations);
-  field(Field{"pivots"}, work.counts.pivots);
-  field(Field{"rhs_evaluations"}, work.counts.rhs_evaluations);
-  field(Field{"factorisations"}, work.counts.factorisations);
-  field(Field{"points"}, work.counts.points);
+  visit_fields(work.counts, field);
   field(Field{"peak_memory_bytes", "bytes"}, work.peak_memory_bytes);
 }
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "harness/extend/plugins/branch_file.hpp"
+#include "harness/extend/plugins/curve_exchange.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/run/trial.hpp"

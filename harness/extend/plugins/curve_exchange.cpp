@@ -10,9 +10,7 @@
 
 #include "harness/records/json_fields.hpp"
 #include "harness/text/json.hpp"
-#include "harness/text/words.hpp"
 #include "methods/discretisation/fourier_series.hpp"
-#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 
@@ -61,18 +59,6 @@ using Samples = Eigen::MatrixXd;
 constexpr std::size_t kMostInstants = 1'000'000;
 
 [[noreturn]] void refuse_curve(const std::string& what) { throw BadRecord(what); }
-
-/// \throws BadRecord for a key that the struct has not: it may be one that is misspelt
-template <class Struct>
-void require_known_keys(const nlohmann::ordered_json& json) {
-  std::vector<std::string> names;
-  const Struct none;
-  visit_fields(none, [&](const Field& field, const auto&) { names.emplace_back(field.name); });
-  for (const auto& [key, value] : json.items()) {
-    if (std::ranges::find(names, key) == names.end())
-      refuse_curve(fmt::format("{} = unknown (must be one of {})", one_line(key), joined(names, ", ")));
-  }
-}
 
 void require_known_keys_of_branch(const nlohmann::ordered_json& json) {
   require_known_keys<ExchangedBranch>(json);

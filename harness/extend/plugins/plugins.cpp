@@ -166,24 +166,13 @@ std::vector<MethodEntry> load_shared_plugin(const fs::path& file) {
   return entries;
 }
 
-std::vector<std::string>& given() {
-  static std::vector<std::string> files;
-  return files;
-}
-
-std::vector<fs::path>& loaded() {
-  static std::vector<fs::path> files;
-  return files;
-}
+// Of the whole program, as the catalogue of methods is.
+std::vector<std::string> given;
+std::vector<fs::path> loaded;
 
 void load_plugin(const fs::path& file) {
-  std::vector<MethodEntry> entries;
-  if (file.extension() == ".toml") {
-    entries.push_back(load_command_method(file));
-  } else {
-    entries = load_shared_plugin(file);
-  }
-  for (MethodEntry& entry : entries) {
+  const bool described = file.extension() == ".toml";
+  for (MethodEntry& entry : described ? std::vector{load_command_method(file)} : load_shared_plugin(file)) {
     try {
       add_method(std::move(entry));
     } catch (const InvalidOption& error) {
@@ -194,21 +183,20 @@ void load_plugin(const fs::path& file) {
 
 }  // namespace
 
-const std::vector<std::string>& given_plugins() { return given(); }
+const std::vector<std::string>& given_plugins() { return given; }
 
-const std::vector<fs::path>& loaded_plugins() { return loaded(); }
+const std::vector<fs::path>& loaded_plugins() { return loaded; }
 
 void load_plugins(const std::vector<std::string>& files) {
-  given() = files;
-  std::vector<fs::path>& plugins = loaded();
-  plugins.clear();
+  given = files;
+  loaded.clear();
   const auto add = [&](const std::string& file) {
     fs::path plugin = found(file);
-    if (std::ranges::find(plugins, plugin) == plugins.end()) plugins.push_back(std::move(plugin));
+    if (std::ranges::find(loaded, plugin) == loaded.end()) loaded.push_back(std::move(plugin));
   };
   for (const fs::path& file : plugins_on_path()) add(file.string());
   for (const std::string& file : files) add(file);
-  for (const fs::path& plugin : plugins) load_plugin(plugin);
+  for (const fs::path& plugin : loaded) load_plugin(plugin);
 }
 
 }  // namespace signorini
