@@ -31,6 +31,8 @@ class Descriptor {
     if (number_ >= 0) close(std::exchange(number_, -1));
   }
   [[nodiscard]] int number() const { return number_; }  ///< -1: closed
+  /// Leaves it open for somebody else to close.
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
 
  private:

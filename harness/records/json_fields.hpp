@@ -87,6 +87,14 @@ Enum enum_from_name(std::string_view field, std::string_view name) {
   }
 }
 
+/// Pairs of a name and a value, such as options: an object, in their order.
+template <class Value>
+struct JsonForm<std::vector<std::pair<std::string, Value>>> {
+  using Pairs = std::vector<std::pair<std::string, Value>>;
+  static nlohmann::ordered_json write(const Pairs& pairs);  ///< {"contact[0].gap": 0.2}
+  static Pairs read(const nlohmann::ordered_json& json);    ///< in the order of the file
+};
+
 /// A number that counts, signed or not.
 template <class T>
 concept Whole = std::integral<T> && !std::same_as<T, bool>;
@@ -214,6 +222,21 @@ void read_into(std::string_view field, const Json& json, T& value) {
 }
 
 }  // namespace json_detail
+
+template <class Value>
+nlohmann::ordered_json JsonForm<std::vector<std::pair<std::string, Value>>>::write(const Pairs& pairs) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : pairs) json[name] = json_detail::written(value);
+  return json;
+}
+
+template <class Value>
+auto JsonForm<std::vector<std::pair<std::string, Value>>>::read(const nlohmann::ordered_json& json) -> Pairs {
+  Pairs pairs;
+  for (const auto& [name, value] : json.items())
+    json_detail::read_into(name, value, pairs.emplace_back(name, Value()).second);
+  return pairs;
+}
 
 /// Adds a field to an object, unless it is empty and may be absent.
 template <class T>

@@ -28,43 +28,11 @@ struct LawWriter {
   Json operator()(Undetermined) const { return {{"undetermined", true}}; }
 };
 
-struct OptionWriter {
-  Json operator()(std::monostate) const { return "auto"; }
-  template <class T>
-  Json operator()(const T& value) const {
-    return value;
-  }
-};
-
 ContactLaw contact_law_from_json(const Json& json) {
   if (json.contains("restitution")) return Restitution{json["restitution"].get<double>()};
   if (json.contains("penalty")) return Spring{json["penalty"].get<double>()};
   if (json.contains("massless")) return Massless{};
   throw BadRecord("law.mixed = " + json_text(json) + " (must be restitution, penalty or massless)");
-}
-
-OptionValue option_from_json(const Json& json) {
-  if (json.is_boolean()) return json.get<bool>();
-  if (json.is_number_integer()) return whole_number<long>("option", json);
-  if (json.is_number()) return json.get<double>();
-  const auto text = json.get<std::string>();
-  return text == "auto" ? OptionValue{} : OptionValue{text};
-}
-
-/// Pairs of a name and a value as an object, in their order.
-template <class Pairs>
-Json object_of(const Pairs& pairs) {
-  Json json = Json::object();
-  for (const auto& [name, value] : pairs) json[name] = value;
-  return json;
-}
-
-template <class Pairs>
-Pairs pairs_of(const Json& json) {
-  using Value = typename Pairs::value_type::second_type;
-  Pairs pairs;
-  for (const auto& [name, value] : json.items()) pairs.emplace_back(name, value.template get<Value>());
-  return pairs;
 }
 
 }  // namespace
@@ -88,25 +56,24 @@ RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) {
                   " (must be restitution, penalty, massless, mixed, undetermined or none)");
 }
 
-Json JsonForm<RecordedOptions>::write(const RecordedOptions& options) {
-  Json json = Json::object();
-  for (const auto& [name, value] : options) json[name] = std::visit(OptionWriter{}, value);
-  return json;
+Json JsonForm<OptionValue>::write(const OptionValue& value) {
+  return std::visit(
+      []<class T>(const T& own) -> Json {
+        if constexpr (std::is_same_v<T, std::monostate>)
+          return "auto";
+        else
+          return own;
+      },
+      value);
 }
 
-RecordedOptions JsonForm<RecordedOptions>::read(const Json& json) {
-  RecordedOptions options;
-  for (const auto& [name, value] : json.items()) options.emplace_back(name, option_from_json(value));
-  return options;
+OptionValue JsonForm<OptionValue>::read(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return whole_number<long>("option", json);
+  if (json.is_number()) return json.get<double>();
+  const auto text = json.get<std::string>();
+  return text == "auto" ? OptionValue{} : OptionValue{text};
 }
-
-Json JsonForm<Settings>::write(const Settings& settings) { return object_of(settings); }
-
-Settings JsonForm<Settings>::read(const Json& json) { return pairs_of<Settings>(json); }
-
-Json JsonForm<DrawnValues>::write(const DrawnValues& values) { return object_of(values); }
-
-DrawnValues JsonForm<DrawnValues>::read(const Json& json) { return pairs_of<DrawnValues>(json); }
 
 Json JsonForm<TimedRound>::write(const TimedRound& round) {
   Json times{round.setup, round.solve};

@@ -27,18 +27,11 @@ struct JsonForm<RepresentedLaw> {
 /// The law of one contact likewise, with one number: {"penalty": 1e6}.
 nlohmann::ordered_json contact_law_json(const ContactLaw& law);
 
-/// An object, option by option.
+/// The value of an option: numbers keep their kind.
 template <>
-struct JsonForm<RecordedOptions> {
-  static nlohmann::ordered_json write(const RecordedOptions& options);  ///< "auto" where the method chooses
-  static RecordedOptions read(const nlohmann::ordered_json& json);      ///< numbers keep their kind
-};
-
-/// An object of texts, setting by setting.
-template <>
-struct JsonForm<Settings> {
-  static nlohmann::ordered_json write(const Settings& settings);  ///< values as asked for
-  static Settings read(const nlohmann::ordered_json& json);       ///< values as asked for
+struct JsonForm<OptionValue> {
+  static nlohmann::ordered_json write(const OptionValue& value);  ///< "auto" where the method chooses
+  static OptionValue read(const nlohmann::ordered_json& json);    ///< \throws BadRecord
 };
 
 /// A pair, set-up and solve.
@@ -55,13 +48,6 @@ void visit_fields(Either<FamilyLevel> auto& level, auto&& field) {
   field(required("severity"), level.severity);
   field(required("levels"), level.levels);
 }
-
-/// An object of numbers, place by place.
-template <>
-struct JsonForm<DrawnValues> {
-  static nlohmann::ordered_json write(const DrawnValues& values);  ///< {"contact[0].gap": 0.2}
-  static DrawnValues read(const nlohmann::ordered_json& json);     ///< in the order of the file
-};
 
 void visit_fields(Either<SceneInstance> auto& instance, auto&& field) {
   field(required("name"), instance.scene);
