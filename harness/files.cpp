@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -152,6 +153,21 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
+std::string short_digest(std::string_view bytes) { return sha256(bytes).substr(0, 16); }
+
 std::string sha256_of_file(const std::filesystem::path& path) { return sha256(read_file(path)); }
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "signorini-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw UsageError(fmt::format("{} (must be a folder for temporary files that can be written)",
+                                 std::filesystem::temp_directory_path().string()));
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
 
 }  // namespace signorini

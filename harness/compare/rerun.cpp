@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "harness/compare/response_change.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/glob.hpp"

@@ -1,5 +1,3 @@
-#include "harness/judge/equation_defect.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -8,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "harness/judge/certificate.hpp"
 #include "harness/judge/measures/contact_response.hpp"
 #include "harness/judge/measures/impacts.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"

@@ -22,9 +22,8 @@ struct LawSetter {
 
 /// Polishing at most sheds the error of the integration: a motion farther away is another one.
 bool stays(const Problem& problem, const Trajectory& marched, const Trajectory& polished) {
-  constexpr double kDrift = 1e-6;
   const Motion from = sample_motion(problem, marched);
-  return distance(from, sample_motion(problem, polished)).x_l2.value_or(0.0) <= kDrift;
+  return distance(from, sample_motion(problem, polished)).x_l2.value_or(0.0) <= kSameOrbit;
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/isolation/child_process.hpp"
-#include "harness/isolation/program_run.hpp"
 #include "harness/pack/run_pack.hpp"
 #include "harness/text/words.hpp"
 

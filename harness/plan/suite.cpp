@@ -41,9 +41,8 @@ Limits read_limits(const SceneField& field) {
   seconds("certificate_timeout", limits.certificate_timeout);
   if (const SceneField reference = field["reference_timeout"]; reference.given())
     limits.reference_timeout = reference.number("must be a number of seconds >= 0", 0.0);
-  constexpr int kMost = std::numeric_limits<int>::max();
-  limits.memory_mb =
-      field["memory"].whole_or(limits.memory_mb, "must be a whole number of MiB >= 64", 64, kMost);
+  limits.memory_mb = field["memory"].whole_or(limits.memory_mb, "must be a whole number of MiB >= 64", 64,
+                                              std::numeric_limits<int>::max());
   limits.repetitions =
       field["repetitions"].whole_or(limits.repetitions, "must be a whole number in 1..1000", 1, 1000);
   return limits;

@@ -103,7 +103,6 @@ concept Whole = std::integral<T> && !std::same_as<T, bool>;
 /// \throws BadRecord that names the field
 template <Whole T>
 T whole_number(std::string_view field, const nlohmann::ordered_json& json) {
-  constexpr double kExact = 9007199254740992.0;  // 2^53, up to which every whole number is a double
   if (json.is_number_unsigned()) {
     const auto value = json.get<std::uint64_t>();
     if (std::in_range<T>(value)) return static_cast<T>(value);
@@ -111,8 +110,10 @@ T whole_number(std::string_view field, const nlohmann::ordered_json& json) {
     const auto value = json.get<std::int64_t>();
     if (std::in_range<T>(value)) return static_cast<T>(value);
   } else if (json.is_number_float()) {
+    // Up to 2^53 every whole number is a double.
+    const double exact = std::ldexp(1.0, std::numeric_limits<double>::digits);
     const auto value = json.get<double>();
-    if (std::abs(value) <= kExact && std::trunc(value) == value &&
+    if (std::abs(value) <= exact && std::trunc(value) == value &&
         std::in_range<T>(static_cast<std::int64_t>(value)))
       return static_cast<T>(value);
   }

@@ -12,8 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kRecordSchema = 1;
-
 struct LawWriter {
   Json operator()(std::monostate) const { return {{"none", true}}; }
   Json operator()(const Restitution& law) const { return {{"restitution", law.e}}; }
@@ -88,15 +86,14 @@ TimedRound JsonForm<TimedRound>::read(const Json& json) {
 }
 
 Json to_json(const Record& record) {
-  Json json{{"schema", kRecordSchema}};
+  Json json{{"schema", 1}};
   json.update(write_fields(record));
   return json;
 }
 
 Record record_from_json(const Json& json) {
   try {
-    if (whole_number<int>("schema", json.at("schema")) != kRecordSchema)
-      throw BadRecord("schema = unknown (must be 1)");
+    if (whole_number<int>("schema", json.at("schema")) != 1) throw BadRecord("schema = unknown (must be 1)");
     Record record;
     read_fields(json, record);
     if (!json.contains("settings")) record.settings = parse_case_name(record.case_id).settings;

@@ -257,7 +257,6 @@ std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::In
 
 std::string answer_digest(const Trajectory& answer) {
   constexpr int kInstants = 64;
-  constexpr std::size_t kDigits = 16;
   std::string bytes;
   const double period = answer.period();
   append(bytes, std::span(&period, 1));
@@ -269,7 +268,7 @@ std::string answer_digest(const Trajectory& answer) {
     append(bytes, std::span(&impulse.time, 1));
     append(bytes, std::span(&impulse.value, 1));
   }
-  return sha256(bytes).substr(0, kDigits);
+  return short_digest(bytes);
 }
 
 TrajectorySamples samples_of(const Trajectory& trajectory, int count) {

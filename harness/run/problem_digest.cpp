@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "harness/files.hpp"
@@ -16,10 +17,9 @@ namespace {
 /// Entries in (1, 2) without a pattern that the structure of a matrix could share: the fractions of i times
 /// the golden ratio.
 Eigen::VectorXd probe(Eigen::Index size) {
-  constexpr double kGoldenRatio = 1.6180339887498949;
   Eigen::VectorXd entries(size);
   for (Eigen::Index i = 0; i < size; ++i) {
-    const double turn = static_cast<double>(i + 1) * kGoldenRatio;
+    const double turn = static_cast<double>(i + 1) * std::numbers::phi;
     entries[i] = 1.0 + turn - std::floor(turn);
   }
   return entries;
@@ -28,7 +28,6 @@ Eigen::VectorXd probe(Eigen::Index size) {
 }  // namespace
 
 std::string problem_digest(const Problem& problem, const RepresentedLaw& law) {
-  constexpr std::size_t kDigits = 16;
   std::string bytes = fmt::format("{} {:a} {} {}\n", problem.size(), problem.frequency, problem.subharmonic,
                                   json_text(JsonForm<RepresentedLaw>::write(law)));
   const Eigen::VectorXd vector = probe(problem.size());
@@ -51,7 +50,7 @@ std::string problem_digest(const Problem& problem, const RepresentedLaw& law) {
     for (const auto& [dof, coefficient] : contact.normal) bytes += fmt::format(" {} {:a}", dof, coefficient);
     bytes += "\n";
   }
-  return sha256(bytes).substr(0, kDigits);
+  return short_digest(bytes);
 }
 
 }  // namespace signorini

@@ -11,7 +11,6 @@
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/run/case_task.hpp"
 #include "harness/run/problem_digest.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/run/trial.hpp"
@@ -51,10 +50,10 @@ IsolationLimits later_round_limits(const Limits& limits, double solve) {
 /// Whether a factorisation of K in this process, which has no limits, is a matter of seconds and of a quarter
 /// of what a process may take.
 bool is_shared(const Problem& problem, int memory_mb) {
-  constexpr double kMostOperations = 1e11, kShare = 0.25, kMebibyte = 1048576.0;
+  constexpr double kMostOperations = 1e11, kShare = 0.25;
   if (problem.size() <= kMostFactorised && !prefers_reduction(problem)) return false;
   const auto [operations, entries] = SparseCholesky::cost_of(problem.stiffness());
-  return operations <= kMostOperations && 8.0 * entries <= kShare * kMebibyte * memory_mb;
+  return operations <= kMostOperations && 8.0 * entries <= kShare * (1 << 20) * memory_mb;
 }
 
 /// The judge's space of a large structure that several answers are judged on: made here once, and inherited
@@ -162,12 +161,8 @@ Trial Runner::trial_of(const Scene& scene, const Job& job, const StartPoint& sta
           .scene_reference = references_.under(Undetermined{}, scene.problem),
           .orbits = orbits_,
           .start = start.motion,
-          .samples = extras.samples,
-          .timed = extras.timed,
-          .certified = extras.certified,
-          .measured = extras.measured,
           .waveforms = waveforms_,
-          .summary = extras.summary};
+          .extras = extras};
 }
 
 void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parallel, const TakeRecord& take,

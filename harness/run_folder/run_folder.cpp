@@ -57,35 +57,23 @@ Json manifest_of(const fs::path& folder) {
   return read_manifest(folder / "manifest.json");
 }
 
-/// Entries in the order of their first record, each key once. Names are not copied: a set of places compares
-/// the keys where they stand.
-class EntriesByKey {
- public:
-  void add(RecordEntry entry) {
-    const bool has_key = !entry.key.empty();
-    entries_.push_back(std::move(entry));
-    if (!has_key) return;  // of records that are nobody's
-    const auto [place, fresh] = places_.insert(entries_.size() - 1);
-    if (fresh) return;
-    entries_[*place] = std::move(entries_.back());
-    entries_.pop_back();
+/// Of several entries with one key the last, where the first stood; those without a key are nobody's, and
+/// stay.
+std::vector<RecordEntry> last_of_each_key(std::vector<RecordEntry> entries) {
+  std::vector<std::size_t> kept;
+  std::unordered_map<std::string_view, std::size_t> places;  // of keys in `kept`
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto [place, fresh] = places.try_emplace(entries[i].key, kept.size());
+    if (fresh || entries[i].key.empty())
+      kept.push_back(i);
+    else
+      kept[place->second] = i;
   }
-
-  std::vector<RecordEntry> take() { return std::move(entries_); }
-
- private:
-  struct Hash {
-    const std::vector<RecordEntry>& entries;
-    std::size_t operator()(std::size_t place) const { return std::hash<std::string>{}(entries[place].key); }
-  };
-  struct Equal {
-    const std::vector<RecordEntry>& entries;
-    bool operator()(std::size_t a, std::size_t b) const { return entries[a].key == entries[b].key; }
-  };
-
-  std::vector<RecordEntry> entries_;
-  std::unordered_set<std::size_t, Hash, Equal> places_{0, Hash{entries_}, Equal{entries_}};
-};
+  if (kept.size() == entries.size()) return entries;
+  std::vector<RecordEntry> last;
+  for (const std::size_t i : kept) last.push_back(std::move(entries[i]));
+  return last;
+}
 
 /// Keys of a run's plan; where there is none, those of the last record of each case.
 std::unordered_set<std::string_view> keys_that_count(const RunFolder& run) {
@@ -192,13 +180,12 @@ RunFolder read_run(const fs::path& folder) {
 RunFolder read_entries(const fs::path& folder, const RecordObserver& observe) {
   RunFolder run{.path = folder};
   if (fs::exists(folder / "plan.txt")) run.plan = read_plan(folder / "plan.txt");
-  EntriesByKey entries;
-  std::size_t count = 0;
+  std::vector<RecordEntry> entries;
   for_each_record(folder / "records.jsonl", [&](Record record, const LinePlace& place) {
-    entries.add(entry_of(record, place, count++));
+    entries.push_back(entry_of(record, place, entries.size()));
     observe(std::move(record));
   });
-  run.records = entries.take();
+  run.records = last_of_each_key(std::move(entries));
   set_stale_aside(run);
   return run;
 }

@@ -66,9 +66,6 @@ void require_within(double seconds, double passed) {
                   passed));
 }
 
-/// Of the time that passed, the least that a told time of a curve counts as.
-constexpr double kLeastShare = 0.01;
-
 /// A told time, but of the time that passed at least what a hand-over does not explain: so many seconds, and
 /// so many times what writing the request and reading the answer took here.
 double believed(double told, double passed, double hand_over) {
