@@ -233,8 +233,7 @@ std::vector<CheckResult> check_method(const MethodEntry& entry, const CheckOptio
                                       const CheckProgress& progress) {
   const std::vector<std::string> names = check_names();
   if (std::ranges::none_of(names, [&](const auto& name) { return filter_matches(options.checks, name); }))
-    throw NothingMatched(
-        fmt::format("checks = {} (matches none of {})", options.checks, joined(names, ", ")));
+    throw NothingMatched("checks = {} (matches none of {})", options.checks, joined(names, ", "));
   return CheckRunner{entry, options, progress}.run();
 }
 

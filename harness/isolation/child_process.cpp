@@ -1,7 +1,6 @@
 #include "harness/isolation/child_process.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -34,8 +33,8 @@ namespace {
 
 // Short of processes, descriptors or memory: no fault of this program, and nothing to report.
 [[noreturn]] void refuse_surroundings(const char* wanted) {
-  throw MachineFull(fmt::format("machine = full (must allow {}: {})", wanted,
-                                std::error_code(errno, std::generic_category()).message()));
+  throw MachineFull("machine = full (must allow {}: {})", wanted,
+                    std::error_code(errno, std::generic_category()).message());
 }
 
 // Where there are too many processes, some are about to end.

@@ -166,8 +166,7 @@ std::string gunzipped(std::string_view bytes, std::size_t most) {
   std::string text, piece(std::size_t{1} << 16U, '\0');
   for (std::string_view next = stream.next(piece); !next.empty(); next = stream.next(piece)) {
     text += next;
-    if (text.size() > most)
-      throw BadArchive(fmt::format("must be at most {} MiB when unpacked", most >> 20U));
+    if (text.size() > most) throw BadArchive("must be at most {} MiB when unpacked", most >> 20U);
   }
   return text;
 }

@@ -12,7 +12,7 @@ namespace signorini {
 namespace {
 
 [[noreturn]] void refuse_selection(std::string_view text, std::string_view requirement) {
-  throw UsageError(fmt::format("methods = {} ({})", text, requirement));
+  throw UsageError("methods = {} ({})", text, requirement);
 }
 
 /// \throws UsageError for a few words that stand for more than a run ever solves
@@ -115,8 +115,8 @@ std::vector<Settings> ladder_of(const MethodEntry& entry) { return expand_settin
 NothingMatched no_method(std::string_view filter, std::span<const MethodEntry> catalogue) {
   std::vector<std::string> names;
   for (const MethodEntry& entry : catalogue) names.push_back(entry.name);
-  return NothingMatched(fmt::format("methods = {} (matches no method{}; see `signorini list methods`)",
-                                    filter, suggestion(filter.substr(0, filter.find('[')), names)));
+  return NothingMatched("methods = {} (matches no method{}; see `signorini list methods`)", filter,
+                        suggestion(filter.substr(0, filter.find('[')), names));
 }
 
 std::vector<MethodChoice> select_methods(std::string_view filter, std::span<const MethodEntry> catalogue,

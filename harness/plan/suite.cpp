@@ -126,12 +126,12 @@ Suite load_suite(const std::string& name_or_path) {
       is_path ? fs::path(name_or_path) : problems_folder() / "suites" / (name_or_path + ".toml");
   std::error_code ignored;
   if (is_path && !fs::exists(path, ignored))
-    throw UsageError(fmt::format("suite = {} (must exist: there is no such file)", name_or_path));
+    throw UsageError("suite = {} (must exist: there is no such file)", name_or_path);
   if (!fs::is_regular_file(path, ignored)) {
     std::string names;
     for (const fs::path& suite : shipped_files("suites"))
       names += (names.empty() ? "" : ", ") + suite.stem().string();
-    throw UsageError(fmt::format("suite = {} (must be a TOML file or one of {})", name_or_path, names));
+    throw UsageError("suite = {} (must be a TOML file or one of {})", name_or_path, names);
   }
   return parse_suite(read_file(path, kLargestScene), path.string());
 }

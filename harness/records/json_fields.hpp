@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/failure.hpp"
 #include "harness/text/json.hpp"
 #include "harness/text/words.hpp"
 #include "methods/options.hpp"
@@ -60,9 +61,9 @@ concept Visited = requires(T& object) {
 };
 
 /// A file or a line that does not hold what it should; what() is one line for the user.
-class BadRecord : public std::runtime_error {
+class BadRecord : public OneLineError {
  public:
-  using std::runtime_error::runtime_error;
+  using OneLineError::OneLineError;
 };
 
 /// The JSON of a type that is neither number nor text, list of these, enumeration nor visited struct:

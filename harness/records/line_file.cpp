@@ -25,9 +25,8 @@ namespace signorini {
 namespace {
 
 [[noreturn]] void refuse_file(const char* must, int reason, const std::filesystem::path& file) {
-  throw UsageError(fmt::format("out = {} (must {}: {}; the same command with --resume goes on from here)",
-                               file.string(), must,
-                               std::error_code(reason, std::generic_category()).message()));
+  throw UsageError("out = {} (must {}: {}; the same command with --resume goes on from here)", file.string(),
+                   must, std::error_code(reason, std::generic_category()).message());
 }
 
 /// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.
@@ -44,12 +43,12 @@ bool take_lock(int descriptor) {
 Descriptor open_to_read(const std::filesystem::path& file) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure))
-    throw UsageError(fmt::format("file = {} (must be a readable file)", file.string()));
+    throw UsageError("file = {} (must be a readable file)", file.string());
   // Files that the kernel makes up are regular too, and to read one may be to wait for ever.
   Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!descriptor.is_open()) {
-    throw UsageError(fmt::format("file = {} (must be a readable file: {})", file.string(),
-                                 std::generic_category().message(errno)));
+    throw UsageError("file = {} (must be a readable file: {})", file.string(),
+                     std::generic_category().message(errno));
   }
   return descriptor;
 }
@@ -70,12 +69,11 @@ std::uint64_t read_lines(const std::filesystem::path& file, const std::function<
       lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
       size += static_cast<std::uint64_t>(lines.gcount());
     }
-    if (lines.bad()) throw UsageError(fmt::format("file = {} (must be a readable file)", file.string()));
+    if (lines.bad()) throw UsageError("file = {} (must be a readable file)", file.string());
     if (lines.eof()) return begin;
     --size;  // its break
     try {
-      if (size > kLongestLine)
-        throw BadRecord(fmt::format("line = {} bytes (must be at most {})", size, kLongestLine));
+      if (size > kLongestLine) throw BadRecord("line = {} bytes (must be at most {})", size, kLongestLine);
       if (size > 0) take({.text = {text.get(), size}, .place = {begin, size}});
     } catch (const BadRecord& error) {
       fmt::print(stderr, "{}:{}: {}; this line is left out, and {}\n", as_message(file.string()), number,
@@ -94,8 +92,7 @@ std::string StoredLines::at(const LinePlace& place) const {
     const ssize_t count = pread(descriptor_.number(), text.data() + done, text.size() - done,
                                 static_cast<off_t>(place.begin + done));
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0)
-      throw UsageError(fmt::format("file = {} (must not change while it is read)", file_.string()));
+    if (count <= 0) throw UsageError("file = {} (must not change while it is read)", file_.string());
     done += static_cast<std::size_t>(count);
   }
   return text;
@@ -105,10 +102,8 @@ Descriptor open_to_append(const std::filesystem::path& file) {
   require_own_file(file);
   Descriptor descriptor(
       open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644));
-  if (!descriptor.is_open()) {
-    throw UsageError(
-        fmt::format("out = {} (must be a folder that can be written)", file.parent_path().string()));
-  }
+  if (!descriptor.is_open())
+    throw UsageError("out = {} (must be a folder that can be written)", file.parent_path().string());
   require_own_file(file, descriptor.number());
   return descriptor;
 }
@@ -134,15 +129,15 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) {
-    throw UsageError(fmt::format("out = {} (must be a folder that can be written: {})", folder.string(),
-                                 failure.message()));
+    throw UsageError("out = {} (must be a folder that can be written: {})", folder.string(),
+                     failure.message());
   }
 }
 
 Descriptor lock_folder(const std::filesystem::path& folder) {
   Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.is_open() && !take_lock(descriptor.number()))
-    throw UsageError(fmt::format("out = {} (must not be in use: another run writes there)", folder.string()));
+    throw UsageError("out = {} (must not be in use: another run writes there)", folder.string());
   return descriptor;
 }
 

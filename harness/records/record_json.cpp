@@ -1,7 +1,5 @@
 #include "harness/records/record_json.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "harness/text/json.hpp"
@@ -100,8 +98,8 @@ Record record_from_json(const Json& json) {
     return record;
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what();  // "[json.exception...] key 'case' not found"
-    throw BadRecord(fmt::format("record = unreadable (must be one as run writes it: {})",
-                                what.substr(what.find("] ") + 2)));
+    throw BadRecord("record = unreadable (must be one as run writes it: {})",
+                    what.substr(what.find("] ") + 2));
   }
 }
 

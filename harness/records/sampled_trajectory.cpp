@@ -294,8 +294,7 @@ std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const Traj
   data.impulses = samples.impulses;
   constexpr int kMostHarmonics = 1000000;
   if (samples.bandwidth && (*samples.bandwidth < 0 || *samples.bandwidth > kMostHarmonics))
-    throw BadRecord(
-        fmt::format("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics));
+    throw BadRecord("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics);
   data.bandwidth = samples.bandwidth;
   data.events = samples.events;
   try {
@@ -307,7 +306,7 @@ std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const Traj
 
 std::shared_ptr<const SampledTrajectory> start_from_file(const std::string& path) {
   const auto refuse = [&](std::string_view requirement) {
-    return UsageError(fmt::format("start = {} ({})", path, requirement));
+    return UsageError("start = {} ({})", path, requirement);
   };
   const auto json = try_parse_json(read_file(path));
   if (json.is_discarded()) throw refuse("must be JSON as printed by solve --json --samples N");

@@ -38,8 +38,8 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
   for (std::string line; std::getline(lines, line);) {
     const std::size_t space = line.find(' ');
     if (space == std::string::npos || line.size() > kLongestText || has_control_characters(line))
-      throw UsageError(fmt::format("{}: case = {} (must be a key and a name, at most {} bytes)",
-                                   file.string(), one_line(line), kLongestText));
+      throw UsageError("{}: case = {} (must be a key and a name, at most {} bytes)", file.string(),
+                       one_line(line), kLongestText);
     const std::string name = line.substr(space + 1);
     plan.push_back({.key = line.substr(0, space), .case_id = name, .method = parse_case_name(name).method});
   }
@@ -50,9 +50,8 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
 Json manifest_of(const fs::path& folder) {
   refuse_old_responses(folder);
   if (!fs::exists(folder / "manifest.json") || !fs::exists(folder / "records.jsonl")) {
-    throw UsageError(
-        fmt::format("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
-                    folder.string()));
+    throw UsageError("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
+                     folder.string());
   }
   return read_manifest(folder / "manifest.json");
 }
@@ -212,16 +211,15 @@ Limits limits_of_run(const fs::path& folder) {
     read_fields(manifest.at("limits"), limits);
     return limits;
   } catch (const nlohmann::json::exception&) {
-    throw UsageError(
-        fmt::format("{}: limits = unreadable (must be a manifest that run wrote)", file.string()));
+    throw UsageError("{}: limits = unreadable (must be a manifest that run wrote)", file.string());
   }
 }
 
 void refuse_old_responses(const fs::path& folder) {
   if (fs::exists(folder / "records.jsonl") || !fs::exists(folder / "responses.jsonl")) return;
-  throw UsageError(fmt::format(
+  throw UsageError(
       "dir = {} (must hold records.jsonl, not responses.jsonl of an earlier version: `run` makes them anew)",
-      folder.string()));
+      folder.string());
 }
 
 std::string run_name(const fs::path& folder) {

@@ -229,9 +229,9 @@ MethodEntry load_command_method(const std::filesystem::path& file) {
     }
     for (const Settings& settings : ladder_of(entry)) static_cast<void>(entry.make(settings));
   } catch (const std::runtime_error& error) {  // UsageError: a ladder that cannot be read
-    throw UsageError(fmt::format("{}: ladder = {} ({})", file.string(), entry.ladder, error.what()));
+    throw UsageError("{}: ladder = {} ({})", file.string(), entry.ladder, error.what());
   } catch (const InvalidOption& error) {
-    throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
+    throw UsageError("{}: {}", file.string(), error.what());
   }
   return entry;
 }

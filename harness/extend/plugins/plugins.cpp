@@ -42,8 +42,8 @@ std::vector<fs::path> plugins_in(const fs::path& folder) {
     if (extension == ".so" || extension == ".toml") files.push_back(entry.path());
   }
   if (failure) {
-    throw UsageError(fmt::format("{} = {} (must name folders that can be read: {})", kPath, folder.string(),
-                                 failure.message()));
+    throw UsageError("{} = {} (must name folders that can be read: {})", kPath, folder.string(),
+                     failure.message());
   }
   std::ranges::sort(files);
   return files;
@@ -63,8 +63,8 @@ fs::path found(const std::string& file) {
   std::error_code failure;
   fs::path path = fs::canonical(file, failure);
   if (failure || !fs::is_regular_file(path, failure)) {
-    throw UsageError(fmt::format(
-        "plugin = {} (must be a file: a shared object, or a command's description *.toml)", file));
+    throw UsageError("plugin = {} (must be a file: a shared object, or a command's description *.toml)",
+                     file);
   }
   return path;
 }
@@ -73,7 +73,7 @@ fs::path found(const std::string& file) {
 constexpr double kProbeSeconds = 20.0;
 
 [[noreturn]] void refuse(const fs::path& file, std::string_view requirement) {
-  throw UsageError(fmt::format("plugin = {} ({})", file.string(), requirement));
+  throw UsageError("plugin = {} ({})", file.string(), requirement);
 }
 
 /// "EIGEN_MAX_ALIGN_BYTES is 32 there, 16 here": the first item in which two texts of kPluginAbi differ.
@@ -176,7 +176,7 @@ void load_plugin(const fs::path& file) {
     try {
       add_method(std::move(entry));
     } catch (const InvalidOption& error) {
-      throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
+      throw UsageError("{}: {}", file.string(), error.what());
     }
   }
 }
