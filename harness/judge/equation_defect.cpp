@@ -3,7 +3,6 @@
 #include <exception>
 #include <memory>
 #include <new>
-#include <optional>
 #include <variant>
 
 #include "harness/judge/certificate.hpp"

@@ -1,6 +1,5 @@
 #include "harness/run_folder/record_store.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
