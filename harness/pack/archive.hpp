@@ -4,10 +4,11 @@
 
 #include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "harness/failure.hpp"
 
 namespace signorini {
 
