@@ -22,7 +22,7 @@ std::string code_version(std::string_view method) {
   for (const auto& [name, hash] : build_info().sources) {
     if (name.empty() || name == folder) text += hash;
   }
-  return sha256(text).substr(0, 16);
+  return short_digest(text);
 }
 
 }  // namespace signorini

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -22,8 +23,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
   try {
     return read_input_file(path, most);
   } catch (const UnreadableFile& error) {
-    throw UsageError(
-        fmt::format("file = {} (must be a readable file; it is {})", path.string(), error.found));
+    throw UsageError("file = {} (must be a readable file; it is {})", path.string(), error.found);
   }
 }
 
@@ -105,7 +105,7 @@ void require_no_device(const std::filesystem::path& file) {
   const bool is_device =
       lstat(file.c_str(), &found) == 0 && (S_ISCHR(found.st_mode) || S_ISBLK(found.st_mode));
   if (is_device || file.parent_path() == "/dev")
-    throw UsageError(fmt::format("out = {} (must be a file, and no device)", file.string()));
+    throw UsageError("out = {} (must be a file, and no device)", file.string());
 }
 
 }  // namespace
@@ -119,8 +119,8 @@ void write_whole(const std::filesystem::path& file, const std::function<void(con
   Draft draft(file);
   write([&](std::string_view piece) { draft.add(piece); });
   if (const int reason = draft.keep(); reason != 0) {
-    throw UsageError(fmt::format("out = {} (must be in a folder that can be written: {})", file.string(),
-                                 std::error_code(reason, std::generic_category()).message()));
+    throw UsageError("out = {} (must be in a folder that can be written: {})", file.string(),
+                     std::error_code(reason, std::generic_category()).message());
   }
 }
 
@@ -128,8 +128,7 @@ void require_own_file(const std::filesystem::path& file, int descriptor) {
   struct stat found {};
   const bool is_there = descriptor < 0 ? lstat(file.c_str(), &found) == 0 : fstat(descriptor, &found) == 0;
   if (!is_there || (S_ISREG(found.st_mode) && found.st_nlink == 1)) return;
-  throw UsageError(
-      fmt::format("out = {} (must be a regular file with no other name, or missing)", file.string()));
+  throw UsageError("out = {} (must be a regular file with no other name, or missing)", file.string());
 }
 
 std::filesystem::path folder_inside(const std::filesystem::path& folder, const std::string& name) {
@@ -137,7 +136,7 @@ std::filesystem::path folder_inside(const std::filesystem::path& folder, const s
   std::error_code failure;
   std::filesystem::create_directories(inside, failure);
   if (!std::filesystem::is_directory(std::filesystem::symlink_status(inside, failure)))
-    throw UsageError(fmt::format("out = {} (must be a folder, and no link to one)", inside.string()));
+    throw UsageError("out = {} (must be a folder, and no link to one)", inside.string());
   return inside;
 }
 
@@ -152,6 +151,21 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
+std::string short_digest(std::string_view bytes) { return sha256(bytes).substr(0, 16); }
+
 std::string sha256_of_file(const std::filesystem::path& path) { return sha256(read_file(path)); }
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "signorini-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw UsageError("{} (must be a folder for temporary files that can be written)",
+                     std::filesystem::temp_directory_path().string());
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
 
 }  // namespace signorini

@@ -1,5 +1,5 @@
 #pragma once
-// Whole files: read, written in one piece, identified by their bytes.
+// Whole files: read, written in one piece, identified by their bytes; a folder for some of them.
 
 #include <cstddef>
 #include <filesystem>
@@ -43,7 +43,26 @@ std::filesystem::path folder_inside(const std::filesystem::path& folder, const s
 /// SHA-256 of the bytes, 64 lower-case hexadecimal digits (FIPS 180-4).
 std::string sha256(std::string_view bytes);
 
+/// Its first sixteen digits: what tells texts apart that nobody has made to be alike.
+std::string short_digest(std::string_view bytes);
+
 /// SHA-256 of a file's bytes. \throws UsageError if it cannot be read
 std::string sha256_of_file(const std::filesystem::path& path);
+
+/// A folder among those for temporary files, of a name that nobody could foretell, which only this user may
+/// enter; gone, with all that is in it, when this object is.
+class TemporaryFolder {
+ public:
+  /// \throws UsageError where none can be made
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace signorini

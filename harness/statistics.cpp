@@ -13,6 +13,8 @@ namespace signorini {
 
 namespace {
 
+constexpr double kUpper = 0.975;  // end of the interval in which a number is with 95 %
+
 /// Twice the ranks of magnitudes, whole numbers where ties share theirs. Requires them to be sorted.
 std::vector<long> doubled_ranks(const std::vector<double>& sorted) {
   std::vector<long> ranks(sorted.size());
@@ -66,7 +68,7 @@ Interval proportion(int count, int of) {
 }
 
 Interval bootstrap_median(std::vector<double> values) {
-  constexpr double kLower = 0.025, kUpper = 0.975;
+  constexpr double kLower = 0.025;
   std::ranges::sort(values);
   const std::size_t n = values.size();
   const auto middle = [&](std::size_t rank, double chance) {
@@ -116,7 +118,6 @@ std::vector<double> corrected_probabilities(const std::vector<double>& probabili
 
 Estimate batch_mean(const std::vector<double>& values) {
   constexpr std::size_t kBatches = 20;
-  constexpr double kUpper = 0.975;
   const std::size_t batches = std::min(values.size(), kBatches);
   std::vector<double> means;
   for (std::size_t b = 0; b < batches; ++b) {

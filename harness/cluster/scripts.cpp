@@ -39,13 +39,13 @@ std::string merge_command(const Submission& s) {
 void require_quotable(const Submission& s) {
   const std::string folder = s.folder.string();
   if (has_control_characters(folder) || folder.find_first_of("\"\\{}") != std::string::npos) {
-    throw UsageError(fmt::format(
+    throw UsageError(
         "dir = {} (must be a path without control characters, quotation marks, backslashes and braces)",
-        folder));
+        folder);
   }
   for (const std::string& word : s.sbatch_words) {
     if (has_control_characters(word))
-      throw UsageError(fmt::format("sbatch = {} (must be one option without control characters)", word));
+      throw UsageError("sbatch = {} (must be one option without control characters)", word);
   }
 }
 

@@ -16,7 +16,7 @@
 #include "harness/build_info.hpp"
 #include "harness/extend/plugins/plugins.hpp"
 #include "harness/failure.hpp"
-#include "harness/isolation/one_thread.hpp"
+#include "harness/isolation/process_state.hpp"
 #include "harness/plots/plot_file.hpp"
 #include "harness/terminal/terminal.hpp"
 #include "methods/options.hpp"

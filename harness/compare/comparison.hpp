@@ -23,6 +23,8 @@ inline constexpr int kFewestRounds = 3;
 inline constexpr double kMethodFactor = 1.05;
 /// Probability that a comparison of a program with itself reports a difference, over all cases and methods.
 inline constexpr double kFalseAlarm = 0.01;
+/// Errors may differ by this factor, or lie below ten error bars in both runs.
+inline constexpr double kErrorFactor = 1.5;
 
 /// Times of one case in two runs.
 struct TimePair {
@@ -95,5 +97,19 @@ Comparison compare_runs(const WholeRun& before, const WholeRun& after);
 
 /// Something is broken, less accurate or slower.
 bool has_regression(const Comparison& comparison);
+
+/// Shares of length may differ by this much.
+inline constexpr double kShareTolerance = 0.01;
+
+/// A difference of two responses.
+struct ResponseChange {
+  bool worse = false;       ///< less is found, more is false, or fewer points are located
+  std::string detail = {};  ///< what was and what is
+};
+
+/// How a response differs, first in the share of the exact one that it finds, then in the share of its own
+/// that is false, each by more than kShareTolerance, then in how many special points it located, of those
+/// there are; nothing where it does not.
+std::optional<ResponseChange> response_change(const RecordedResponse& before, const RecordedResponse& after);
 
 }  // namespace signorini

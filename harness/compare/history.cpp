@@ -48,10 +48,9 @@ std::string text_at(const Json& manifest, const char* place) {
 }
 
 HistoryPoint described(const RunFolder& folder) {
-  constexpr std::size_t kDigits = 12;
   return {.run = run_name(folder.path),
           .date = text_at(folder.manifest, "/date"),
-          .commit = text_at(folder.manifest, "/build/commit").substr(0, kDigits)};
+          .commit = text_at(folder.manifest, "/build/commit").substr(0, 12)};
 }
 
 /// What the times of each run are multiplied by; nothing, and why in its point, where they do not count.

@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "harness/compare/response_change.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/glob.hpp"
@@ -53,8 +52,7 @@ Case case_of(const Record& record, const Scene& scene, const MethodEntry& entry)
 /// The same where it can be run here; otherwise counts it as left out.
 std::optional<Case> case_here(const Record& record, const Scene& scene,
                               std::span<const MethodEntry> catalogue, Rerun& result) {
-  const auto entry =
-      std::ranges::find_if(catalogue, [&](const MethodEntry& one) { return one.name == record.method; });
+  const auto entry = std::ranges::find(catalogue, record.method, &MethodEntry::name);
   if (entry == catalogue.end()) {
     ++result.left_out[fmt::format("no method {} is here; --plugin loads those of others", record.method)];
     return std::nullopt;
@@ -205,7 +203,7 @@ Rerun rerun_records(const std::vector<Record>& kept, const Limits& limits, const
       known->second.push_back(&record);
     }
   }
-  if (scenes.empty()) throw NothingMatched(fmt::format("cases = {} (matches no case of the run)", filter));
+  if (scenes.empty()) throw NothingMatched("cases = {} (matches no case of the run)", filter);
   Rerun result;
   for (const auto& [name, records] : scenes) {
     if (interrupted()) break;

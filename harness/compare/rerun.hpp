@@ -8,14 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "harness/compare/comparison.hpp"
 #include "harness/plan/suite.hpp"
 #include "harness/records/record.hpp"
 #include "methods/catalogue.hpp"
 
 namespace signorini {
-
-/// Errors may differ by this factor, or lie below ten error bars in both runs.
-inline constexpr double kErrorFactor = 1.5;
 
 /// What differs between a record kept and a new one, one line each; empty if nothing does. Compared are
 /// status, certificate and the error of x, or what response_change tells. A status that a time limit decided

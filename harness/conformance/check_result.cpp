@@ -73,6 +73,10 @@ void visit_fields(Either<CheckResult> auto& result, auto&& field) {
 CheckResult passed() { return {}; }
 CheckResult remarked(std::string why) { return {.outcome = CheckOutcome::remarked, .why = std::move(why)}; }
 CheckResult failed(std::string why) { return {.outcome = CheckOutcome::failed, .why = std::move(why)}; }
+CheckResult passed_unless(std::string defect) {
+  return defect.empty() ? passed() : failed(std::move(defect));
+}
+
 CheckResult not_applicable(std::string why) {
   return {.outcome = CheckOutcome::not_applicable, .why = std::move(why)};
 }

@@ -39,6 +39,8 @@ CheckResult passed();
 CheckResult remarked(std::string why);
 CheckResult failed(std::string why);
 CheckResult not_applicable(std::string why);
+/// Failed for the reason given, passed where there is none.
+CheckResult passed_unless(std::string defect);
 
 /// An object with the keys `check`, `promise`, `scene`, `outcome`, `why`, `reproduce`, without those that are
 /// empty.

@@ -6,14 +6,14 @@
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
-#include "harness/conformance/checks.hpp"
+#include "harness/conformance/checked_method.hpp"
 #include "harness/conformance/resolution_series.hpp"
 #include "harness/failure.hpp"
 #include "harness/glob.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/isolation/isolation.hpp"
+#include "harness/plan/deadline.hpp"
 #include "harness/records/json_fields.hpp"
 #include "harness/run/runner.hpp"
 #include "harness/text/json.hpp"
@@ -23,12 +23,8 @@ namespace signorini {
 
 namespace {
 
-/// A check may take kSolvesPerCheck times the limit of a solve and kSpareSeconds of wall time.
+/// A check may take so many times the limit of a solve, and kQuickSeconds of wall time.
 constexpr double kSolvesPerCheck = 4.0;
-constexpr double kSpareSeconds = 10.0;
-/// For the end of a child after its last check [s].
-constexpr double kEndSeconds = 10.0;
-constexpr long kMemory = 2048;  // [MiB]
 
 /// A promise and the function that asks for it. `promise` is a predicate whose subject is the method or its
 /// answer.
@@ -76,12 +72,6 @@ struct PendingCheck {
   std::function<CheckResult()> examine = {};
 };
 
-/// The result of a check before it was run.
-template <class Subject>
-CheckResult result_of(const Check<Subject>& check, const std::string& scene) {
-  return {.check = std::string(check.name), .promise = std::string(check.promise), .scene = scene};
-}
-
 void set_outcome(CheckResult& result, CheckResult outcome) {
   result.outcome = outcome.outcome;
   result.why = std::move(outcome.why);
@@ -95,8 +85,8 @@ bool is_timeout(const ChildEnd& end) {
 /// Runs the checks from `first` on in one child, each within `limit` seconds; each sends one line.
 ChildEnd run_in_child(const std::vector<PendingCheck>& checks, std::size_t first, double limit) {
   IsolationLimits limits{.stage_seconds = std::vector<double>(checks.size() - first, limit),
-                         .memory_mb = kMemory};
-  limits.stage_seconds.push_back(kEndSeconds);
+                         .memory_mb = Limits{}.memory_mb};
+  limits.stage_seconds.push_back(kQuickSeconds);
   return run_isolated(
       [&](const LineSender& send) {
         for (std::size_t i = first; i < checks.size(); ++i) send(json_line(to_json(checks[i].examine())));
@@ -142,51 +132,55 @@ struct CheckRunner {
     return in_order_of_checks();
   }
 
-  [[nodiscard]] bool wanted(std::string_view check) const { return filter_matches(options.checks, check); }
-
   void run_all(std::vector<PendingCheck> checks, const std::string& scene) {
     if (checks.empty()) return;
     if (progress) progress(fmt::format("{}{}{}", entry.name, scene.empty() ? "" : " on ", scene));
-    run_checks(checks, kSolvesPerCheck * options.timeout + kSpareSeconds);
+    run_checks(checks, kSolvesPerCheck * options.timeout + kQuickSeconds);
     for (PendingCheck& check : checks) results.push_back(std::move(check.result));
   }
 
-  [[nodiscard]] std::vector<PendingCheck> checks_of_method() const {
-    std::vector<PendingCheck> pending;
-    for (const auto& check : kMethodChecks) {
-      if (wanted(check.name))
-        pending.push_back({result_of(check, ""), [this, &check] { return check.examine(entry); }});
+  /// Those of the checks that are asked for, of what `subject` gives once they are run.
+  template <std::size_t N, class Subject>
+  [[nodiscard]] std::vector<PendingCheck> pending(const std::array<Check<Subject>, N>& checks,
+                                                  const std::string& scene,
+                                                  const std::function<const Subject&()>& subject) const {
+    std::vector<PendingCheck> wanted;
+    for (const auto& check : checks) {
+      if (!filter_matches(options.checks, check.name)) continue;
+      wanted.push_back(
+          {{.check = std::string(check.name), .promise = std::string(check.promise), .scene = scene},
+           [&check, subject] { return check.examine(subject()); }});
     }
-    return pending;
+    return wanted;
+  }
+
+  [[nodiscard]] std::vector<PendingCheck> checks_of_method() const {
+    return pending(kMethodChecks, "", {[this]() -> const MethodEntry& { return entry; }});
   }
 
   [[nodiscard]] std::vector<PendingCheck> checks_on(const Scene& scene) const {
     // Each child makes the method when its first check needs it: the method may crash there too.
     const auto checked = std::make_shared<std::unique_ptr<CheckedMethod>>();
-    std::vector<PendingCheck> pending;
-    for (const auto& check : kSceneChecks) {
-      if (!wanted(check.name)) continue;
-      pending.push_back({result_of(check, scene.problem.name), [this, &scene, &check, checked] {
-                           if (!*checked) {
-                             CheckSettings settings = check_settings_of(entry);
-                             settings.timeout = options.timeout;
-                             *checked = std::make_unique<CheckedMethod>(entry, scene.problem, settings);
-                           }
-                           return check.examine(**checked);
-                         }});
-    }
-    return pending;
+    return pending(kSceneChecks, scene.problem.name, {[this, &scene, checked]() -> const CheckedMethod& {
+                     if (!*checked) {
+                       CheckSettings settings = check_settings_of(entry);
+                       settings.timeout = options.timeout;
+                       *checked = std::make_unique<CheckedMethod>(entry, scene.problem, settings);
+                     }
+                     return **checked;
+                   }});
   }
 
   void check_ladder(const Scene& scene) {
-    if (std::ranges::none_of(kLadderChecks, [&](const auto& check) { return wanted(check.name); })) return;
+    LadderRecords ladder{.entry = entry, .ladder = {}, .records = {}};
+    const std::vector<PendingCheck> checks =
+        pending(kLadderChecks, scene.problem.name, {[&]() -> const LadderRecords& { return ladder; }});
+    if (checks.empty()) return;
     if (progress) progress(fmt::format("{} on {}: its ladder", entry.name, scene.problem.name));
-    const std::optional<LadderRecords> ladder = run_ladder(scene);
-    if (!ladder) return;
-    for (const auto& check : kLadderChecks) {
-      if (!wanted(check.name)) continue;
-      results.push_back(result_of(check, scene.problem.name));
-      set_outcome(results.back(), check.examine(*ladder));
+    if (!run_ladder(scene, ladder)) return;
+    for (const PendingCheck& check : checks) {
+      results.push_back(check.result);
+      set_outcome(results.back(), check.examine());
     }
   }
 
@@ -196,25 +190,23 @@ struct CheckRunner {
     const auto make = [this](const LineSender&) {
       for (const Settings& settings : usable_ladder(entry)) (void)entry.make(settings)->options();
     };
-    return run_isolated(make, {.stage_seconds = {kEndSeconds}, .memory_mb = kMemory}).kind ==
+    return run_isolated(make, {.stage_seconds = {kQuickSeconds}, .memory_mb = Limits{}.memory_mb}).kind ==
            ChildEnd::Kind::finished;
   }
 
-  /// The records of the ladder, as a run of the benchmark writes them. Empty after an interrupt.
-  [[nodiscard]] std::optional<LadderRecords> run_ladder(const Scene& scene) const {
-    LadderRecords ladder{.entry = entry, .ladder = {}, .records = {}};
-    if (!can_be_made()) return ladder;
+  /// Takes the records of the ladder, as a run of the benchmark writes them. \return false after an interrupt
+  [[nodiscard]] bool run_ladder(const Scene& scene, LadderRecords& ladder) const {
+    if (!can_be_made()) return true;
     ladder.ladder = usable_ladder(entry);
     std::vector<Case> cases;
     for (const Settings& settings : ladder.ladder) cases.push_back(make_case(scene, 0, {&entry, settings}));
-    Runner runner(Limits{.timeout = options.timeout, .memory_mb = kMemory, .repetitions = 1});
+    Runner runner(Limits{.timeout = options.timeout, .repetitions = 1});
     for (const Job& job : runner.make_jobs(scene, cases)) {
       const auto record = runner.run(scene, job, {.timed = false});
-      if (!record) return std::nullopt;
+      if (!record) return false;
       ladder.records.push_back(*record);
     }
-    if (ladder.records.size() < ladder.ladder.size()) return std::nullopt;
-    return ladder;
+    return ladder.records.size() == ladder.ladder.size();
   }
 
   [[nodiscard]] std::vector<CheckResult> in_order_of_checks() const {
@@ -241,8 +233,7 @@ std::vector<CheckResult> check_method(const MethodEntry& entry, const CheckOptio
                                       const CheckProgress& progress) {
   const std::vector<std::string> names = check_names();
   if (std::ranges::none_of(names, [&](const auto& name) { return filter_matches(options.checks, name); }))
-    throw NothingMatched(
-        fmt::format("checks = {} (matches none of {})", options.checks, joined(names, ", ")));
+    throw NothingMatched("checks = {} (matches none of {})", options.checks, joined(names, ", "));
   return CheckRunner{entry, options, progress}.run();
 }
 

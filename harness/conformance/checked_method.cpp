@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "harness/failure.hpp"
+#include "harness/judge/measures/motion.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/run/trial.hpp"
 
@@ -14,12 +15,10 @@ namespace signorini {
 
 namespace {
 
-constexpr double kSmallest = std::numeric_limits<double>::min();
 /// Assumed bound of 1 / (1 - |multiplier|) on all scenes: what a solve leaves of its periodicity condition,
 /// times this, is the error of its orbit.
 constexpr double kAmplification = 2000.0;
 constexpr int kCoarsestGrid = 128;
-constexpr int kFinestGrid = 8192;
 constexpr int kCoarsestOwn = 16;
 
 /// The value of a numerical option; empty if the method has none of this name.
@@ -38,7 +37,7 @@ bool chooses_itself(const Method& method, std::string_view name) {
 
 /// The coarsest number of `samples` that the method accepts with these settings.
 std::optional<int> fixed_grid(const MethodEntry& entry, const Settings& settings) {
-  for (int samples = kCoarsestGrid; samples <= kFinestGrid; samples *= 2) {
+  for (int samples = kCoarsestGrid; samples <= kGrid; samples *= 2) {
     Settings fixed = settings;
     fixed.emplace_back("samples", std::to_string(samples));
     try {
@@ -57,7 +56,7 @@ std::optional<int> own_grid(const Method& method, const Settings& resolution) {
   for (const OptionSetting& setting : resolution) names.push_back(setting.first);
   for (const std::string& name : names) {
     const std::optional<double> number = number_of(method, name);
-    if (number && *number >= kCoarsestOwn && *number <= kFinestGrid && *number == std::floor(*number))
+    if (number && *number >= kCoarsestOwn && *number <= kGrid && *number == std::floor(*number))
       return static_cast<int>(*number);
   }
   return std::nullopt;
@@ -147,14 +146,14 @@ std::optional<CheckResult> unless_answered(const CheckedMethod& checked) {
 }
 
 double displacement_scale(const Problem& problem, const Samples& samples) {
-  double scale = kSmallest;
+  double scale = std::numeric_limits<double>::min();
   if (samples.x.size() > 0) scale = std::max(scale, samples.x.cwiseAbs().maxCoeff());
   for (const Contact& contact : problem.contacts) scale = std::max(scale, std::abs(contact.gap));
   return scale;
 }
 
 double load_scale(const Problem& problem) {
-  double scale = kSmallest;
+  double scale = std::numeric_limits<double>::min();
   for (const ForceTerm& term : problem.force)
     scale = std::max(scale, std::abs(force_amplitude(term, problem.frequency)));
   return scale;

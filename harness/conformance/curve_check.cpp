@@ -9,7 +9,7 @@
 #include <memory>
 #include <numbers>
 
-#include "harness/conformance/checks.hpp"
+#include "harness/conformance/checked_method.hpp"
 #include "harness/plan/deadline.hpp"
 #include "methods/curve.hpp"
 

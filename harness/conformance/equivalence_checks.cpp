@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "harness/conformance/checks.hpp"
+#include "harness/conformance/checked_method.hpp"
 #include "harness/conformance/resolution_series.hpp"
 #include "harness/conformance/transformations.hpp"
 #include "harness/judge/measures/motion.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "harness/conformance/checks.hpp"
+#include "harness/conformance/checked_method.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "problems/files/kebab_case.hpp"
@@ -135,8 +135,6 @@ std::string echo_defect(const MethodEntry& entry, const Settings& settings) {
   return {};
 }
 
-CheckResult result_of(std::string defect) { return defect.empty() ? passed() : failed(std::move(defect)); }
-
 }  // namespace
 
 CheckResult check_declaration(const MethodEntry& entry) {
@@ -147,7 +145,7 @@ CheckResult check_declaration(const MethodEntry& entry) {
   if (entry.order && !(*entry.order > 0.0 && *entry.order <= 20.0))
     return failed(fmt::format("its order {} is none", *entry.order));
   if (std::string defect = options_defect(entry.make({})->options()); !defect.empty()) return failed(defect);
-  return result_of(ladder_defect(entry));
+  return passed_unless(ladder_defect(entry));
 }
 
 CheckResult check_echo(const MethodEntry& entry) {

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <variant>
 
-#include "harness/conformance/checks.hpp"
+#include "harness/conformance/checked_method.hpp"
 #include "harness/records/sampled_trajectory.hpp"
 
 namespace signorini {
@@ -162,9 +162,8 @@ CheckResult check_trajectory(const CheckedMethod& checked) {
   if (std::string defect = solution_defect(checked.problem(), solution); !defect.empty())
     return failed(defect);
   if (!solution.trajectory) return not_applicable("there is no iterate: " + solution.message);
-  const std::string defect =
-      consistency_defect(checked.problem(), *solution.trajectory, checked.settings().identity);
-  return defect.empty() ? passed() : failed(defect);
+  return passed_unless(
+      consistency_defect(checked.problem(), *solution.trajectory, checked.settings().identity));
 }
 
 CheckResult check_time_budget(const CheckedMethod& checked) {

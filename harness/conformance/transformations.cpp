@@ -9,8 +9,9 @@ namespace signorini {
 
 namespace {
 
-void scale_load(Problem& problem, double factor) {
-  for (ForceTerm& term : problem.force) {
+template <class Term>
+void scale(std::vector<Term>& terms, double factor) {
+  for (Term& term : terms) {
     term.cos *= factor;
     term.sin *= factor;
   }
@@ -38,12 +39,9 @@ Eigen::MatrixXd every(const Eigen::MatrixXd& rows, Eigen::Index first, Eigen::In
 }  // namespace
 
 Problem with_load_scaled(Problem problem, double factor) {
-  scale_load(problem, factor);
+  scale(problem.force, factor);
   for (Contact& contact : problem.contacts) contact.gap *= factor;
-  for (FrameTerm& term : problem.frame) {
-    term.cos *= factor;
-    term.sin *= factor;
-  }
+  scale(problem.frame, factor);
   return problem;
 }
 
@@ -54,7 +52,7 @@ Problem with_structure_scaled(Problem problem, double factor) {
     s.stiffness *= factor;
     s.speed = nullptr;  // solved at its one frequency
   });
-  scale_load(problem, factor);
+  scale(problem.force, factor);
   for (Contact& contact : problem.contacts)
     if (auto* spring = std::get_if<Spring>(&contact.law)) spring->stiffness *= factor;
   return problem;

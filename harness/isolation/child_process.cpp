@@ -1,7 +1,7 @@
 #include "harness/isolation/child_process.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
@@ -17,13 +17,15 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
 #include <thread>
 
 #include "harness/failure.hpp"
-#include "harness/isolation/one_thread.hpp"
+#include "harness/interrupt.hpp"
+#include "harness/isolation/process_state.hpp"
 
 namespace signorini {
 
@@ -31,8 +33,8 @@ namespace {
 
 // Short of processes, descriptors or memory: no fault of this program, and nothing to report.
 [[noreturn]] void refuse_surroundings(const char* wanted) {
-  throw MachineFull(fmt::format("machine = full (must allow {}: {})", wanted,
-                                std::error_code(errno, std::generic_category()).message()));
+  throw MachineFull("machine = full (must allow {}: {})", wanted,
+                    std::error_code(errno, std::generic_category()).message());
 }
 
 // Where there are too many processes, some are about to end.
@@ -200,6 +202,40 @@ int ChildProcess::reap() {
   }
   id_ = -1;
   return status;
+}
+
+ProgramEnd run_to_end(const std::vector<std::string>& words, std::size_t most) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words)
+    arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  arguments.push_back(nullptr);
+  constexpr int kLook = 50;                                           // [ms]
+  constexpr std::chrono::seconds kGrace(5);                           // for a launcher to end its processes
+  const Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));  // launchers read what is not for them
+  Pipe pipe = make_pipe();
+  ChildProcess child({.in = nothing.number(), .out = pipe.write.number(), .err = -1}, -1, [&] {
+    execvp(arguments.front(), arguments.data());
+    _exit(ProgramEnd::kMissing);
+  });
+  pipe.write.reset();
+  set_non_blocking(pipe.read);
+  ProgramEnd end;
+  std::optional<std::chrono::steady_clock::time_point> last;  // after an interrupt
+  while (!child.has_ended()) {
+    std::array<pollfd, 1> waited{{{.fd = pipe.read.number(), .events = POLLIN, .revents = 0}}};
+    poll(waited.data(), waited.size(), kLook);
+    read_available(pipe.read, end.output, most);
+    if (end.output.size() > most) return end;
+    if (interrupted() && !last) {
+      child.send_signal(SIGTERM);
+      last = std::chrono::steady_clock::now() + kGrace;
+    }
+    if (last && std::chrono::steady_clock::now() > *last) break;
+  }
+  read_available(pipe.read, end.output, most);
+  const int status = child.reap();
+  if (WIFEXITED(status)) end.code = WEXITSTATUS(status);
+  return end;
 }
 
 }  // namespace signorini

@@ -1,5 +1,6 @@
 #pragma once
-// A forked process in a process group of its own, and the pipes between it and its parent.
+// A forked process in a process group of its own, the pipes between it and its parent, and programs of the
+// machine that are run to their end for what they print, without a shell.
 
 #include <sys/types.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "methods/deadline.hpp"
 
@@ -31,6 +33,8 @@ class Descriptor {
     if (number_ >= 0) close(std::exchange(number_, -1));
   }
   [[nodiscard]] int number() const { return number_; }  ///< -1: closed
+  /// Leaves it open for somebody else to close.
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
 
  private:
@@ -49,6 +53,9 @@ Descriptor make_memory_file();
 
 /// Reads and writes of it return at once, with EAGAIN where they would have to wait.
 void set_non_blocking(const Descriptor& descriptor);
+
+/// Longest line that is taken, of a pipe or a file [bytes]; a record with waveforms has some 10^5.
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 26U;
 
 /// Appends to `text` what a non-blocking descriptor has to read, until `text` is longer than `most` bytes;
 /// closes the descriptor at the end of its input.
@@ -130,5 +137,22 @@ class ChildAllowance {
   Deadline::Clock::time_point start_ = Deadline::Clock::now();
   ChildTimes before_;
 };
+
+/// How a program ended.
+struct ProgramEnd {
+  std::string output = {};  ///< what it wrote to standard output
+  int code = -1;            ///< its exit code, -1 where a signal ended it
+
+  /// Whether there was no such program.
+  [[nodiscard]] bool missing() const { return code == kMissing; }
+
+  static constexpr int kMissing = 127;  ///< as shells say it
+};
+
+/// Runs a program that is looked for in $PATH, with nothing on standard input. An interrupt of this one, once
+/// it watches them, ends it, and so does more than `most` bytes of output; in both cases `code` says nothing.
+/// \param words  its name and its arguments \throws MachineFull where no process can be made
+ProgramEnd run_to_end(const std::vector<std::string>& words,
+                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace signorini

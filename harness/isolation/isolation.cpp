@@ -35,7 +35,6 @@ constexpr char kThrew = 'X';
 constexpr char kOutOfMemory = 'M';
 
 /// Longest line that a child may send: a record with 65,536 instants of ten contacts.
-constexpr std::size_t kLongestLine = 1U << 26U;
 constexpr rlim_t kLogBytes = 1U << 20U;
 constexpr off_t kLastWordsBytes = 400;
 

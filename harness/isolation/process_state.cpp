@@ -1,6 +1,10 @@
 #include "harness/isolation/process_state.hpp"
 
+#include <dlfcn.h>
+
 #include <cstddef>
+#include <cstdlib>
+#include <initializer_list>
 #include <limits>
 
 namespace signorini {
@@ -17,6 +21,18 @@ bool same_handler(const struct sigaction& a, const struct sigaction& b) {
 bool floating_point_is_usual() {
   const volatile double smallest = std::numeric_limits<double>::min();
   return std::fegetround() == FE_TONEAREST && smallest / 2.0 > 0.0;
+}
+
+void compute_on_one_thread() {
+  // What is loaded later, by a plugin for itself, reads these when it is.
+  for (const char* variable :
+       {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS"})
+    setenv(variable, "1", 1);
+  // By name: which of them is there is not known before the program runs (Debian's alternatives).
+  for (const char* name : {"omp_set_num_threads", "openblas_set_num_threads", "MKL_Set_Num_Threads"}) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): what dlsym is for
+    if (const auto set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, name)); set != nullptr) set(1);
+  }
 }
 
 ProcessState::ProcessState() {

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "harness/judge/equation_defect.hpp"
 #include "harness/judge/measures/contact_agreement.hpp"
 #include "harness/judge/measures/impacts.hpp"
 #include "harness/judge/orbit.hpp"
@@ -19,12 +18,9 @@ namespace signorini {
 
 namespace {
 
-/// Orbits of certificates may be this uncertain; what is smaller than ten error bars is marked in tables.
-constexpr double kLargestErrorBar = 1e-6;
 // Amplitudes by which a motion may break the law of contact before it is none of the scene, whatever orbits
 // are found.
-constexpr double kDeepPenetration = 0.5;
-constexpr double kFarFromLaw = 0.5;  // in the mean over time
+constexpr double kFarFromLaw = 0.5;  // in the mean over time, and at the deepest
 // Equation defects beyond which an answer from which no orbit is found is wrong: as far off as an orbit that
 // is not near, and less where an orbit of the scene is known that is not near either.
 constexpr double kOff = kNearOrbit, kOffFarFromKnown = 0.1;
@@ -76,7 +72,7 @@ class Attempts {
   /// By an orbit found from the answer, at the answer's own phase.
   bool take(const CertifiedOrbit& found) {
     if (!found.motion) return set_aside(found.unconfirmed.get(), found.reason);
-    if (!(found.error_bar <= kLargestErrorBar)) {
+    if (!(found.error_bar <= kLargeReferenceErrorBar)) {
       return set_aside(found.motion.get(),
                        fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar));
     }
@@ -224,7 +220,7 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
     for (int k = 0; k < kShootings && !orbit.motion; ++k) {
       options.begin = wrapped_time(quiet_instant(motion) + k * motion.period() / kShootings, motion.period());
       orbit = find_orbit(same_order, tools.solver, options, {.guess = answer, .deadline = deadline},
-                         kLargestErrorBar);
+                         kLargeReferenceErrorBar);
       if (deadline.passed()) break;
     }
     return attempts.take(orbit);
@@ -240,7 +236,7 @@ void apply_verdict(Record& record) {
   std::string objection = record.certificate.refutation;
   if (off && *off > kFarFromLaw)
     objection = fmt::format("is off the law of contact by {:.2g} amplitudes in the mean", *off);
-  if (rigid && depth && *depth > kDeepPenetration)
+  if (rigid && depth && *depth > kFarFromLaw)
     objection = fmt::format("penetrates the stop by {:.2g} amplitudes", *depth);
   if (objection.empty()) return;
   record.status = Status::inaccurate;

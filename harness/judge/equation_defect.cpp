@@ -1,13 +1,11 @@
-#include "harness/judge/equation_defect.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
 #include <new>
-#include <optional>
 #include <variant>
 
+#include "harness/judge/certificate.hpp"
 #include "harness/judge/measures/contact_response.hpp"
 #include "harness/judge/measures/impacts.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"

@@ -44,9 +44,9 @@ std::string phase_between(const Eigen::Ref<const Eigen::VectorXd>& a,
                           const Eigen::Ref<const Eigen::VectorXd>& b) {
   const double alone = fluctuation(a);
   const double sum = fluctuation(a + b);
-  constexpr double kAlike = 1e-6;  // of the motion
-  return std::abs(sum - 2.0 * alone) <= kAlike * alone || sum <= kAlike * alone ? ""
-                                                                                : " " + rounded(sum, 0.0);
+  return std::abs(sum - 2.0 * alone) <= kSameOrbit * alone || sum <= kSameOrbit * alone
+             ? ""
+             : " " + rounded(sum, 0.0);
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ std::string fingerprint(const Motion& motion) {
   const double force_scale =
       motion.samples.force.size() > 0 ? motion.samples.force.cwiseAbs().maxCoeff() : 0.0;
   std::string text = fmt::format("{} {}", order, impacts / copies);
-  const double impulse_noise = 1e-9 * (motion.forcing_period * force_scale + largest);
+  const double impulse_noise = kRoundOff * (motion.forcing_period * force_scale + largest);
   const Eigen::VectorXd impulse = impulse_per_forcing_period(motion);
   std::map<std::string, int> last_alike;
   for (int c = 0; c < static_cast<int>(motion.samples.x.cols()); ++c) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <string>
 
 #include "harness/judge/measures/motion.hpp"
@@ -13,9 +12,6 @@
 namespace signorini {
 
 namespace {
-
-constexpr int kShootingSteps = 50;
-constexpr int kMarchedPeriods = 20000;
 
 bool converged(const Solution& solution) {
   return solution.verdict == Verdict::converged && solution.trajectory != nullptr;
@@ -33,11 +29,11 @@ Solution follow_flow(const Problem& problem, const PeriodicMotionOptions& option
 OrbitSolver flow_orbits() { return follow_flow; }
 
 PeriodicMotionOptions marching_options() {
-  return {.tolerance = kOrbitTolerance, .shooting = false, .max_iterations = kMarchedPeriods};
+  return {.tolerance = kOrbitTolerance, .shooting = false, .max_iterations = 20000};
 }
 
 PeriodicMotionOptions shooting_options() {
-  return {.tolerance = kOrbitTolerance, .shooting = true, .max_iterations = kShootingSteps};
+  return {.tolerance = kOrbitTolerance, .shooting = true, .max_iterations = 50};
 }
 
 CertifiedOrbit confirm_orbit(const Problem& problem, const OrbitSolver& solver,

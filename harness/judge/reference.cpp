@@ -22,41 +22,20 @@ struct LawSetter {
 
 /// Polishing at most sheds the error of the integration: a motion farther away is another one.
 bool stays(const Problem& problem, const Trajectory& marched, const Trajectory& polished) {
-  constexpr double kDrift = 1e-6;
   const Motion from = sample_motion(problem, marched);
-  return distance(from, sample_motion(problem, polished)).x_l2.value_or(0.0) <= kDrift;
-}
-
-/// The orbit of a reference on its way from the process that computed it.
-struct OrbitMessage {
-  double period = 0.0;  ///< [s]
-  TrajectorySamples trajectory = {};
-  double error_bar = 0.0;
-  std::optional<double> residual = {};
-  std::string fingerprint = {};
-  std::vector<Certificate> confirmed = {};
-};
-
-void visit_fields(Either<OrbitMessage> auto& orbit, auto&& field) {
-  field(required("period", "s"), orbit.period);
-  field(required("trajectory"), orbit.trajectory);
-  field(required("error_bar"), orbit.error_bar);
-  field(Field{"residual"}, orbit.residual);
-  field(required("fingerprint"), orbit.fingerprint);
-  field(Field{"confirmed"}, orbit.confirmed);
-}
-
-struct ReferenceMessage {
-  std::string reason = {};  ///< why there is no orbit
-  std::optional<OrbitMessage> orbit = {};
-};
-
-void visit_fields(Either<ReferenceMessage> auto& message, auto&& field) {
-  field(Field{"reason"}, message.reason);
-  field(Field{"orbit"}, message.orbit);
+  return distance(from, sample_motion(problem, polished)).x_l2.value_or(0.0) <= kSameOrbit;
 }
 
 }  // namespace
+
+/// All but the motion of its orbit.
+void visit_fields(Either<Reference> auto& reference, auto&& field) {
+  field(Field{"reason"}, reference.reason);
+  field(required("error_bar"), reference.error_bar);
+  field(Field{"residual"}, reference.residual);
+  field(Field{"fingerprint"}, reference.fingerprint);
+  field(Field{"confirmed"}, reference.confirmed);
+}
 
 Reference compute_reference(const Problem& problem, const OrbitTools& tools, Deadline deadline) {
   std::string of_large;  // why there is no orbit by its own way, where that was tried
@@ -101,35 +80,25 @@ Reference as_reference(const Problem& problem, CertifiedOrbit orbit) {
 }
 
 nlohmann::ordered_json to_json(const Reference& reference) {
-  ReferenceMessage message{.reason = reference.reason};
-  if (reference.orbit) {
-    const auto count = static_cast<int>(reference.orbit->data().samples.x.rows());
-    message.orbit = OrbitMessage{.period = reference.orbit->period(),
-                                 .trajectory = samples_of(*reference.orbit, count),
-                                 .error_bar = reference.error_bar,
-                                 .residual = reference.residual,
-                                 .fingerprint = reference.fingerprint,
-                                 .confirmed = reference.confirmed};
-  }
-  return write_fields(message);
+  nlohmann::ordered_json json = write_fields(reference);
+  if (!reference.orbit) return json;
+  const auto count = static_cast<int>(reference.orbit->data().samples.x.rows());
+  json["period"] = reference.orbit->period();
+  json["trajectory"] = write_fields(samples_of(*reference.orbit, count));
+  return json;
 }
 
-Reference reference_from_json(const nlohmann::ordered_json& json) {
-  ReferenceMessage message;
-  try {
-    read_fields(json, message);
-  } catch (const nlohmann::json::exception& error) {
-    throw BadRecord(error.what());
+Reference reference_from_json(const nlohmann::ordered_json& json) try {
+  Reference reference;
+  read_fields(json, reference);
+  if (reference.reason.empty()) {  // then there is an orbit
+    TrajectorySamples samples;
+    read_fields(json.at("trajectory"), samples);
+    reference.orbit = trajectory_of(json.at("period").get<double>(), samples);
   }
-  if (!message.orbit) {
-    if (message.reason.empty()) throw BadRecord("a reference needs an orbit, or a reason why there is none");
-    return {.reason = message.reason};
-  }
-  return {.orbit = trajectory_of(message.orbit->period, message.orbit->trajectory),
-          .error_bar = message.orbit->error_bar,
-          .residual = message.orbit->residual,
-          .fingerprint = message.orbit->fingerprint,
-          .confirmed = std::move(message.orbit->confirmed)};
+  return reference;
+} catch (const nlohmann::json::exception& error) {
+  throw BadRecord(error.what());
 }
 
 Problem under_law(const Problem& problem, const RepresentedLaw& law) {

@@ -11,9 +11,8 @@ namespace signorini {
 
 namespace {
 
-constexpr std::size_t kBlock = 512;                    // of a tar archive [bytes]
-constexpr int kGzip = 15 + 16;                         // the largest window, with header and sum of gzip
-constexpr std::size_t kPiece = std::size_t{1} << 16U;  // unpacked at a time [bytes]
+constexpr std::size_t kBlock = 512;  // of a tar archive [bytes]
+constexpr int kGzip = 15 + 16;       // the largest window, with header and sum of gzip
 
 /// Where a field of a header stands [bytes].
 struct Slot {
@@ -95,11 +94,10 @@ std::string_view text_in(std::string_view header, Slot slot) {
 
 /// The octal number in a field, digits that a blank or a zero byte ends. \throws BadArchive
 std::size_t number_in(std::string_view header, Slot slot) {
-  constexpr int kOctal = 8;
   const std::string_view text = text_in(header, slot);
   const std::string_view digits = text.substr(0, text.find(' '));
   std::size_t number = 0;
-  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), number, kOctal);
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), number, 8);
   if (digits.empty() || failure != std::errc() || end != digits.data() + digits.size())
     throw BadArchive("must be a tar archive with sizes and sums in octal digits");
   return number;
@@ -148,8 +146,8 @@ std::vector<ArchivedFile> read_tar(std::string_view archive) {
 
 std::string gzipped(std::string_view bytes) {
   z_stream stream{};
-  constexpr int kMemory = 8;  // zlib's own default
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
+  // With as much memory as zlib takes by itself.
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::runtime_error("zlib refuses to compress");
   std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
   stream.next_in = bytes_of(bytes);
@@ -165,11 +163,10 @@ std::string gzipped(std::string_view bytes) {
 
 std::string gunzipped(std::string_view bytes, std::size_t most) {
   Unpacking stream(bytes);
-  std::string text, piece(kPiece, '\0');
+  std::string text, piece(std::size_t{1} << 16U, '\0');
   for (std::string_view next = stream.next(piece); !next.empty(); next = stream.next(piece)) {
     text += next;
-    if (text.size() > most)
-      throw BadArchive(fmt::format("must be at most {} MiB when unpacked", most >> 20U));
+    if (text.size() > most) throw BadArchive("must be at most {} MiB when unpacked", most >> 20U);
   }
   return text;
 }

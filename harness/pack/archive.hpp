@@ -4,17 +4,18 @@
 
 #include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "harness/failure.hpp"
+
 namespace signorini {
 
 /// What is no archive, or none that is read; what() is what it must be, a clause.
-class BadArchive : public std::runtime_error {
+class BadArchive : public OneLineError {
  public:
-  using std::runtime_error::runtime_error;
+  using OneLineError::OneLineError;
 };
 
 /// A file of an archive.

@@ -1,7 +1,5 @@
 #include "harness/pack/pack_index.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -9,7 +7,6 @@
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/isolation/child_process.hpp"
-#include "harness/isolation/program_run.hpp"
 #include "harness/pack/run_pack.hpp"
 #include "harness/text/words.hpp"
 
@@ -31,10 +28,8 @@ std::string downloaded(const std::string& url, std::size_t most) {
                   "--proto", kProtocols, "--proto-redir", kProtocols, "--max-time", kLongest, "--url", url},
                  most);
   if (end.missing()) throw UsageError("a URL needs curl, which is not there (install the package curl)");
-  if (end.output.size() > most)
-    throw UsageError(fmt::format("url = {} (must give at most {} MiB)", url, most >> 20U));
-  if (end.code != 0)
-    throw UsageError(fmt::format("url = {} (could not be fetched: {})", url, last_line(end.output)));
+  if (end.output.size() > most) throw UsageError("url = {} (must give at most {} MiB)", url, most >> 20U);
+  if (end.code != 0) throw UsageError("url = {} (could not be fetched: {})", url, last_line(end.output));
   return std::move(end.output);
 }
 
@@ -51,8 +46,8 @@ IndexedPack pack_of(const std::string& line, const std::string& place) {
       (line[kDigits + 1] == ' ' || line[kDigits + 1] == '*') && line[kName] != '.' &&
       std::all_of(line.begin() + kName, line.end(), is_plain))
     return {.sha256 = line.substr(0, kDigits), .file = line.substr(kName)};
-  throw UsageError(fmt::format(
-      "index = {} (must hold lines as `sha256sum NAME.tar.gz` prints them, of files beside it)", place));
+  throw UsageError("index = {} (must hold lines as `sha256sum NAME.tar.gz` prints them, of files beside it)",
+                   place);
 }
 
 }  // namespace
@@ -75,8 +70,8 @@ std::string pack_beside(const std::string& index, const IndexedPack& pack) {
   const std::string place = index.substr(0, folder) + pack.file;
   std::string bytes = bytes_at(place, kLargestPack);
   if (sha256(bytes) != pack.sha256)
-    throw UsageError(fmt::format("pack = {} (its SHA-256 must be {}, which the index states, and is {})",
-                                 place, pack.sha256, sha256(bytes)));
+    throw UsageError("pack = {} (its SHA-256 must be {}, which the index states, and is {})", place,
+                     pack.sha256, sha256(bytes));
   return bytes;
 }
 

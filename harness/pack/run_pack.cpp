@@ -31,8 +31,8 @@ std::string sum_line(const ArchivedFile& file) {
 /// \throws UsageError
 void require_small(std::size_t size, const RunFolder& run) {
   if (size > kLargestPack)
-    throw UsageError(fmt::format("dir = {} (must be a run of at most {} MiB to be packed)", run.path.string(),
-                                 kLargestPack >> 20U));
+    throw UsageError("dir = {} (must be a run of at most {} MiB to be packed)", run.path.string(),
+                     kLargestPack >> 20U);
 }
 
 /// The records of a run that count, each as it stands in its file.
@@ -68,7 +68,7 @@ void require_pack(std::span<const ArchivedFile> files) {
   }
   for (const std::string_view name : kRunFiles)
     if (std::ranges::find(files, name, &ArchivedFile::name) == files.end())
-      throw BadArchive(fmt::format("must hold {}", name));
+      throw BadArchive("must hold {}", name);
   if (sums != expected) throw BadArchive("must hold files of the hashes in its SHA256SUMS, in that order");
 }
 
@@ -93,9 +93,9 @@ void unpack(const fs::path& file, const fs::path& folder) {
     }
   } catch (const BadArchive& error) {
     throw UsageError(
-        fmt::format("file = {} (must be the folder of a run, or a file that `signorini pack` "
-                    "made: it {})",
-                    file.string(), error.what()));
+        "file = {} (must be the folder of a run, or a file that `signorini pack` "
+        "made: it {})",
+        file.string(), error.what());
   }
 }
 
@@ -109,7 +109,7 @@ std::string pack_run(const RunFolder& run, std::span<const PluginDescriptionFile
     else if (fs::exists(run.path / name))
       files.push_back({std::string(name), read_file(run.path / name, kLargestPack)});
     else
-      throw UsageError(fmt::format("dir = {} (must hold {}, as run writes it)", run.path.string(), name));
+      throw UsageError("dir = {} (must hold {}, as run writes it)", run.path.string(), name);
   }
   for (const PluginDescriptionFile& one : descriptions)
     files.push_back({fmt::format("{}{}{}", kPlugins, one.method, kDescription), one.text});

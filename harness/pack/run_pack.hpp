@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/isolation/temporary_folder.hpp"
+#include "harness/files.hpp"
 #include "harness/pack/archive.hpp"
 #include "harness/run_folder/run_folder.hpp"
 

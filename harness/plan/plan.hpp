@@ -12,7 +12,6 @@
 
 #include "harness/failure.hpp"
 #include "harness/plan/case_name.hpp"
-#include "harness/plan/response_question.hpp"
 #include "harness/plan/scene_choice.hpp"
 #include "harness/plan/suite.hpp"
 #include "methods/catalogue.hpp"

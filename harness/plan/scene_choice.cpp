@@ -26,7 +26,7 @@ bool is_folder(const std::string& path) {
 }
 
 NothingMatched no_file(const std::string& path, const char* why) {
-  return NothingMatched(fmt::format("scenes = {} ({})", path, why));
+  return NothingMatched("scenes = {} ({})", path, why);
 }
 
 std::vector<fs::path> toml_files_in(const std::string& folder) {
@@ -123,9 +123,9 @@ void keep_asked(const SceneFilter& filter, std::vector<Candidate>& candidates, c
     std::vector<std::string> names;
     for (const Candidate& candidate : candidates) names.push_back(candidate.name);
     throw NothingMatched(
-        fmt::format("scenes = {} (matches no scene of suite {} and none that ships{}; see `signorini list "
-                    "scenes`)",
-                    glob, suite.name, suggestion(glob, names)));
+        "scenes = {} (matches no scene of suite {} and none that ships{}; see `signorini list "
+        "scenes`)",
+        glob, suite.name, suggestion(glob, names));
   }
   candidates.erase(std::remove_if(suite_ends, candidates.end(),
                                   [&](const Candidate& candidate) {
@@ -140,8 +140,8 @@ void require_distinct(const std::vector<Scene>& scenes) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (scenes[i].problem.name != scenes[k].problem.name) continue;
-      throw UsageError(fmt::format("scenes = {} (must have another name than {}: both are named {})",
-                                   scenes[i].word, scenes[k].word, scenes[i].problem.name));
+      throw UsageError("scenes = {} (must have another name than {}: both are named {})", scenes[i].word,
+                       scenes[k].word, scenes[i].problem.name);
     }
   }
 }

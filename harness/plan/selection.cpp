@@ -4,24 +4,15 @@
 
 #include "harness/glob.hpp"
 #include "harness/plan/plan.hpp"
+#include "harness/text/words.hpp"
 #include "problems/files/close_names.hpp"
 
 namespace signorini {
 
 namespace {
 
-std::vector<std::string_view> parts_of(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 [[noreturn]] void refuse_selection(std::string_view text, std::string_view requirement) {
-  throw UsageError(fmt::format("methods = {} ({})", text, requirement));
+  throw UsageError("methods = {} ({})", text, requirement);
 }
 
 /// \throws UsageError for a few words that stand for more than a run ever solves
@@ -97,18 +88,18 @@ std::vector<OptionEcho> MethodChoice::options() const {
 std::vector<Settings> expand_settings(std::string_view text) {
   std::vector<Settings> sets{{}};
   if (text.empty()) return sets;
-  for (const std::string_view item : parts_of(text, ',')) {
+  for (const std::string& item : split(text, ',')) {
     const std::size_t equals = item.find('=');
-    if (equals == std::string_view::npos || equals == 0) refuse_selection(text, kForm);
-    const std::string key(item.substr(0, equals));
+    if (equals == std::string::npos || equals == 0) refuse_selection(text, kForm);
+    const std::string key = item.substr(0, equals);
     for (const auto& [known, value] : sets.front()) {
       if (known == key) refuse_selection(text, "must set each option once");
     }
     std::vector<Settings> longer;
-    const std::vector<std::string_view> alternatives = parts_of(item.substr(equals + 1), '|');
+    const std::vector<std::string> alternatives = split(item.substr(equals + 1), '|');
     require_few(sets.size() * alternatives.size(), text);
     for (const Settings& set : sets) {
-      for (const std::string_view value : alternatives) {
+      for (const std::string& value : alternatives) {
         if (value.empty()) refuse_selection(text, kForm);
         longer.push_back(set);
         longer.back().emplace_back(key, value);
@@ -124,8 +115,8 @@ std::vector<Settings> ladder_of(const MethodEntry& entry) { return expand_settin
 NothingMatched no_method(std::string_view filter, std::span<const MethodEntry> catalogue) {
   std::vector<std::string> names;
   for (const MethodEntry& entry : catalogue) names.push_back(entry.name);
-  return NothingMatched(fmt::format("methods = {} (matches no method{}; see `signorini list methods`)",
-                                    filter, suggestion(filter.substr(0, filter.find('[')), names)));
+  return NothingMatched("methods = {} (matches no method{}; see `signorini list methods`)", filter,
+                        suggestion(filter.substr(0, filter.find('[')), names));
 }
 
 std::vector<MethodChoice> select_methods(std::string_view filter, std::span<const MethodEntry> catalogue,

@@ -41,9 +41,8 @@ Limits read_limits(const SceneField& field) {
   seconds("certificate_timeout", limits.certificate_timeout);
   if (const SceneField reference = field["reference_timeout"]; reference.given())
     limits.reference_timeout = reference.number("must be a number of seconds >= 0", 0.0);
-  constexpr int kMost = std::numeric_limits<int>::max();
-  limits.memory_mb =
-      field["memory"].whole_or(limits.memory_mb, "must be a whole number of MiB >= 64", 64, kMost);
+  limits.memory_mb = field["memory"].whole_or(limits.memory_mb, "must be a whole number of MiB >= 64", 64,
+                                              std::numeric_limits<int>::max());
   limits.repetitions =
       field["repetitions"].whole_or(limits.repetitions, "must be a whole number in 1..1000", 1, 1000);
   return limits;
@@ -127,12 +126,12 @@ Suite load_suite(const std::string& name_or_path) {
       is_path ? fs::path(name_or_path) : problems_folder() / "suites" / (name_or_path + ".toml");
   std::error_code ignored;
   if (is_path && !fs::exists(path, ignored))
-    throw UsageError(fmt::format("suite = {} (must exist: there is no such file)", name_or_path));
+    throw UsageError("suite = {} (must exist: there is no such file)", name_or_path);
   if (!fs::is_regular_file(path, ignored)) {
     std::string names;
     for (const fs::path& suite : shipped_files("suites"))
       names += (names.empty() ? "" : ", ") + suite.stem().string();
-    throw UsageError(fmt::format("suite = {} (must be a TOML file or one of {})", name_or_path, names));
+    throw UsageError("suite = {} (must be a TOML file or one of {})", name_or_path, names);
   }
   return parse_suite(read_file(path, kLargestScene), path.string());
 }

@@ -3,6 +3,7 @@
 // readers, tables and tests, as `visit` does for the options of a method. JSON objects and the structs that
 // they hold: every visited struct is written and read by the functions here.
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -16,8 +17,11 @@
 #include <utility>
 #include <vector>
 
+#include "harness/failure.hpp"
 #include "harness/text/json.hpp"
+#include "harness/text/words.hpp"
 #include "methods/options.hpp"
+#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 
@@ -57,9 +61,9 @@ concept Visited = requires(T& object) {
 };
 
 /// A file or a line that does not hold what it should; what() is one line for the user.
-class BadRecord : public std::runtime_error {
+class BadRecord : public OneLineError {
  public:
-  using std::runtime_error::runtime_error;
+  using OneLineError::OneLineError;
 };
 
 /// The JSON of a type that is neither number nor text, list of these, enumeration nor visited struct:
@@ -84,6 +88,14 @@ Enum enum_from_name(std::string_view field, std::string_view name) {
   }
 }
 
+/// Pairs of a name and a value, such as options: an object, in their order.
+template <class Value>
+struct JsonForm<std::vector<std::pair<std::string, Value>>> {
+  using Pairs = std::vector<std::pair<std::string, Value>>;
+  static nlohmann::ordered_json write(const Pairs& pairs);  ///< {"contact[0].gap": 0.2}
+  static Pairs read(const nlohmann::ordered_json& json);    ///< in the order of the file
+};
+
 /// A number that counts, signed or not.
 template <class T>
 concept Whole = std::integral<T> && !std::same_as<T, bool>;
@@ -92,7 +104,6 @@ concept Whole = std::integral<T> && !std::same_as<T, bool>;
 /// \throws BadRecord that names the field
 template <Whole T>
 T whole_number(std::string_view field, const nlohmann::ordered_json& json) {
-  constexpr double kExact = 9007199254740992.0;  // 2^53, up to which every whole number is a double
   if (json.is_number_unsigned()) {
     const auto value = json.get<std::uint64_t>();
     if (std::in_range<T>(value)) return static_cast<T>(value);
@@ -100,8 +111,10 @@ T whole_number(std::string_view field, const nlohmann::ordered_json& json) {
     const auto value = json.get<std::int64_t>();
     if (std::in_range<T>(value)) return static_cast<T>(value);
   } else if (json.is_number_float()) {
+    // Up to 2^53 every whole number is a double.
+    const double exact = std::ldexp(1.0, std::numeric_limits<double>::digits);
     const auto value = json.get<double>();
-    if (std::abs(value) <= kExact && std::trunc(value) == value &&
+    if (std::abs(value) <= exact && std::trunc(value) == value &&
         std::in_range<T>(static_cast<std::int64_t>(value)))
       return static_cast<T>(value);
   }
@@ -118,6 +131,19 @@ nlohmann::ordered_json write_fields(const T& object);
 /// Throws nlohmann's exceptions on missing keys and wrong types. \throws BadRecord for unknown names
 template <class T>
 void read_fields(const nlohmann::ordered_json& json, T& object);
+
+/// \throws BadRecord for a key that the visited struct has not: it may be one that is misspelt. \param group
+/// what stands before the key in the message, "work."
+template <Visited T>
+void require_known_keys(const nlohmann::ordered_json& json, const std::string& group = {}) {
+  std::vector<std::string> names;
+  const T none;
+  visit_fields(none, [&](const Field& field, const auto&) { names.emplace_back(field.name); });
+  for (const auto& [key, value] : json.items()) {
+    if (std::find(names.begin(), names.end(), key) == names.end())
+      throw BadRecord(group + one_line(key) + " = unknown (must be one of " + joined(names, ", ") + ")");
+  }
+}
 
 namespace json_detail {
 
@@ -198,6 +224,21 @@ void read_into(std::string_view field, const Json& json, T& value) {
 }
 
 }  // namespace json_detail
+
+template <class Value>
+nlohmann::ordered_json JsonForm<std::vector<std::pair<std::string, Value>>>::write(const Pairs& pairs) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : pairs) json[name] = json_detail::written(value);
+  return json;
+}
+
+template <class Value>
+auto JsonForm<std::vector<std::pair<std::string, Value>>>::read(const nlohmann::ordered_json& json) -> Pairs {
+  Pairs pairs;
+  for (const auto& [name, value] : json.items())
+    json_detail::read_into(name, value, pairs.emplace_back(name, Value()).second);
+  return pairs;
+}
 
 /// Adds a field to an object, unless it is empty and may be absent.
 template <class T>

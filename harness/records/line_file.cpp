@@ -8,6 +8,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <ext/stdio_filebuf.h>
+#include <istream>
+#include <limits>
+#include <memory>
 #include <system_error>
 #include <thread>
 
@@ -21,9 +25,8 @@ namespace signorini {
 namespace {
 
 [[noreturn]] void refuse_file(const char* must, int reason, const std::filesystem::path& file) {
-  throw UsageError(fmt::format("out = {} (must {}: {}; the same command with --resume goes on from here)",
-                               file.string(), must,
-                               std::error_code(reason, std::generic_category()).message()));
+  throw UsageError("out = {} (must {}: {}; the same command with --resume goes on from here)", file.string(),
+                   must, std::error_code(reason, std::generic_category()).message());
 }
 
 /// Tries the lock for a moment: children of a run that was killed may hold it for an instant longer.
@@ -40,95 +43,44 @@ bool take_lock(int descriptor) {
 Descriptor open_to_read(const std::filesystem::path& file) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure))
-    throw UsageError(fmt::format("file = {} (must be a readable file)", file.string()));
+    throw UsageError("file = {} (must be a readable file)", file.string());
   // Files that the kernel makes up are regular too, and to read one may be to wait for ever.
   Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!descriptor.is_open()) {
-    throw UsageError(fmt::format("file = {} (must be a readable file: {})", file.string(),
-                                 std::generic_category().message(errno)));
+    throw UsageError("file = {} (must be a readable file: {})", file.string(),
+                     std::generic_category().message(errno));
   }
   return descriptor;
 }
-
-/// A file, block by block.
-class Blocks {
- public:
-  explicit Blocks(const std::filesystem::path& file) : file_(file), descriptor_(open_to_read(file)) {}
-
-  /// The next block; empty at the end.
-  std::string_view next() {
-    ssize_t count = -1;
-    do {
-      count = read(descriptor_.number(), buffer_.data(), buffer_.size());
-    } while (count < 0 && errno == EINTR);
-    if (count < 0) {
-      throw UsageError(fmt::format("file = {} (must be a readable file: {})", file_.string(),
-                                   std::generic_category().message(errno)));
-    }
-    return std::string_view(buffer_).substr(0, static_cast<std::size_t>(count));
-  }
-
- private:
-  static constexpr std::size_t kBlock = std::size_t{1} << 18U;
-  std::filesystem::path file_;
-  Descriptor descriptor_;
-  std::string buffer_ = std::string(kBlock, '\0');
-};
-
-/// The line that is being read: its beginning comes from earlier blocks, its end from this one.
-class OpenLine {
- public:
-  void add(std::string_view piece) {
-    size_ += piece.size();
-    if (size_ <= kLongestLine) text_ += piece;
-  }
-
-  /// The whole line, of which `last` is the end. \throws BadRecord if it is too long
-  std::string_view closed(std::string_view last) {
-    if (size_ == 0 && last.size() <= kLongestLine) return last;
-    add(last);
-    if (size_ > kLongestLine)
-      throw BadRecord(fmt::format("line = {} bytes (must be at most {})", size_, kLongestLine));
-    return text_;
-  }
-
-  void clear() {
-    text_.clear();
-    size_ = 0;
-  }
-
- private:
-  std::string text_;
-  std::uint64_t size_ = 0;  // with what is too much
-};
 
 }  // namespace
 
 std::uint64_t read_lines(const std::filesystem::path& file, const std::function<void(const Line&)>& take,
                          std::string_view remedy) {
-  Blocks blocks(file);
-  OpenLine open;
-  std::uint64_t begin = 0, number = 0, position = 0;  // of the line, its number, and of the block
-  for (std::string_view block = blocks.next(); !block.empty(); block = blocks.next()) {
-    const std::uint64_t next_block = position + block.size();
-    for (std::size_t end = block.find('\n'); end != std::string_view::npos; end = block.find('\n')) {
-      const std::uint64_t after = position + end + 1;
-      ++number;
-      try {
-        const std::uint64_t size = after - 1 - begin;
-        if (size > 0) take({.text = open.closed(block.substr(0, end)), .place = {begin, size}});
-      } catch (const BadRecord& error) {
-        fmt::print(stderr, "{}:{}: {}; this line is left out, and {}\n", as_message(file.string()), number,
-                   as_message(error.what()), remedy);
-      }
-      open.clear();
-      block.remove_prefix(end + 1);
-      begin = position = after;
+  __gnu_cxx::stdio_filebuf<char> blocks(open_to_read(file).release(), std::ios::in, std::size_t{1} << 18U);
+  std::istream lines(&blocks);
+  const auto text = std::make_unique_for_overwrite<char[]>(kLongestLine + 1);
+  std::uint64_t begin = 0;
+  for (std::uint64_t number = 1;; ++number) {
+    lines.getline(text.get(), kLongestLine + 1);
+    auto size = static_cast<std::uint64_t>(lines.gcount());
+    if (lines.fail() && !lines.eof() && !lines.bad()) {  // too long
+      lines.clear();
+      lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+      size += static_cast<std::uint64_t>(lines.gcount());
     }
-    open.add(block);
-    position = next_block;
+    if (lines.bad()) throw UsageError("file = {} (must be a readable file)", file.string());
+    if (lines.eof()) return begin;
+    --size;  // its break
+    try {
+      if (size > kLongestLine) throw BadRecord("line = {} bytes (must be at most {})", size, kLongestLine);
+      if (size > 0) take({.text = {text.get(), size}, .place = {begin, size}});
+    } catch (const BadRecord& error) {
+      fmt::print(stderr, "{}:{}: {}; this line is left out, and {}\n", as_message(file.string()), number,
+                 as_message(error.what()), remedy);
+    }
+    begin += size + 1;
   }
-  return begin;
 }
 
 StoredLines::StoredLines(const std::filesystem::path& file) : file_(file), descriptor_(open_to_read(file)) {}
@@ -140,8 +92,7 @@ std::string StoredLines::at(const LinePlace& place) const {
     const ssize_t count = pread(descriptor_.number(), text.data() + done, text.size() - done,
                                 static_cast<off_t>(place.begin + done));
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0)
-      throw UsageError(fmt::format("file = {} (must not change while it is read)", file_.string()));
+    if (count <= 0) throw UsageError("file = {} (must not change while it is read)", file_.string());
     done += static_cast<std::size_t>(count);
   }
   return text;
@@ -151,10 +102,8 @@ Descriptor open_to_append(const std::filesystem::path& file) {
   require_own_file(file);
   Descriptor descriptor(
       open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644));
-  if (!descriptor.is_open()) {
-    throw UsageError(
-        fmt::format("out = {} (must be a folder that can be written)", file.parent_path().string()));
-  }
+  if (!descriptor.is_open())
+    throw UsageError("out = {} (must be a folder that can be written)", file.parent_path().string());
   require_own_file(file, descriptor.number());
   return descriptor;
 }
@@ -180,15 +129,15 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) {
-    throw UsageError(fmt::format("out = {} (must be a folder that can be written: {})", folder.string(),
-                                 failure.message()));
+    throw UsageError("out = {} (must be a folder that can be written: {})", folder.string(),
+                     failure.message());
   }
 }
 
 Descriptor lock_folder(const std::filesystem::path& folder) {
   Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.is_open() && !take_lock(descriptor.number()))
-    throw UsageError(fmt::format("out = {} (must not be in use: another run writes there)", folder.string()));
+    throw UsageError("out = {} (must not be in use: another run writes there)", folder.string());
   return descriptor;
 }
 

@@ -25,9 +25,6 @@ struct Line {
   LinePlace place = {};
 };
 
-/// Longest line that is taken [bytes]; a record with waveforms has some 10^5.
-inline constexpr std::size_t kLongestLine = std::size_t{1} << 26U;
-
 /// Calls `take` with each line that was written whole and is not empty, in order, in memory of a few lines
 /// whatever the size of the file. A last line without its break was torn, and is left out. So is, with a
 /// warning on stderr that names file and line, one that `take` refuses with a BadRecord, or that is longer

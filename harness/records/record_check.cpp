@@ -18,12 +18,12 @@ constexpr int kDeepest = 32;  // levels of a record; those of a run have eight a
 
 void require_plain(const std::string& text) {
   if (text.size() <= kLongestText && !has_control_characters(text)) return;
-  throw BadRecord(fmt::format("text = {} (must be at most {} bytes without control characters)",
-                              one_line(text), kLongestText));
+  throw BadRecord("text = {} (must be at most {} bytes without control characters)", one_line(text),
+                  kLongestText);
 }
 
 [[noreturn]] void refuse(std::string_view field, std::string_view value, std::string_view requirement) {
-  throw BadRecord(fmt::format("{} = {} ({})", field, value, requirement));
+  throw BadRecord("{} = {} ({})", field, value, requirement);
 }
 
 /// Refuses numbers below zero in every field of a visited struct.
@@ -44,7 +44,7 @@ void require_no_less_than_zero(std::string_view group, const auto& object) {
 void require_plain_below(const nlohmann::ordered_json& json, int depth) {
   if (json.is_string()) require_plain(json.get_ref<const std::string&>());
   if (!json.is_structured()) return;
-  if (depth == 0) throw BadRecord(fmt::format("value = nested (must be at most {} levels deep)", kDeepest));
+  if (depth == 0) throw BadRecord("value = nested (must be at most {} levels deep)", kDeepest);
   for (const auto& item : json.items()) {
     if (json.is_object()) require_plain(item.key());
     require_plain_below(item.value(), depth - 1);

@@ -1,7 +1,5 @@
 #include "harness/records/record_json.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "harness/text/json.hpp"
@@ -11,8 +9,6 @@ namespace signorini {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kRecordSchema = 1;
 
 struct LawWriter {
   Json operator()(std::monostate) const { return {{"none", true}}; }
@@ -28,43 +24,11 @@ struct LawWriter {
   Json operator()(Undetermined) const { return {{"undetermined", true}}; }
 };
 
-struct OptionWriter {
-  Json operator()(std::monostate) const { return "auto"; }
-  template <class T>
-  Json operator()(const T& value) const {
-    return value;
-  }
-};
-
 ContactLaw contact_law_from_json(const Json& json) {
   if (json.contains("restitution")) return Restitution{json["restitution"].get<double>()};
   if (json.contains("penalty")) return Spring{json["penalty"].get<double>()};
   if (json.contains("massless")) return Massless{};
   throw BadRecord("law.mixed = " + json_text(json) + " (must be restitution, penalty or massless)");
-}
-
-OptionValue option_from_json(const Json& json) {
-  if (json.is_boolean()) return json.get<bool>();
-  if (json.is_number_integer()) return whole_number<long>("option", json);
-  if (json.is_number()) return json.get<double>();
-  const auto text = json.get<std::string>();
-  return text == "auto" ? OptionValue{} : OptionValue{text};
-}
-
-/// Pairs of a name and a value as an object, in their order.
-template <class Pairs>
-Json object_of(const Pairs& pairs) {
-  Json json = Json::object();
-  for (const auto& [name, value] : pairs) json[name] = value;
-  return json;
-}
-
-template <class Pairs>
-Pairs pairs_of(const Json& json) {
-  using Value = typename Pairs::value_type::second_type;
-  Pairs pairs;
-  for (const auto& [name, value] : json.items()) pairs.emplace_back(name, value.template get<Value>());
-  return pairs;
 }
 
 }  // namespace
@@ -88,25 +52,24 @@ RepresentedLaw JsonForm<RepresentedLaw>::read(const Json& json) {
                   " (must be restitution, penalty, massless, mixed, undetermined or none)");
 }
 
-Json JsonForm<RecordedOptions>::write(const RecordedOptions& options) {
-  Json json = Json::object();
-  for (const auto& [name, value] : options) json[name] = std::visit(OptionWriter{}, value);
-  return json;
+Json JsonForm<OptionValue>::write(const OptionValue& value) {
+  return std::visit(
+      []<class T>(const T& own) -> Json {
+        if constexpr (std::is_same_v<T, std::monostate>)
+          return "auto";
+        else
+          return own;
+      },
+      value);
 }
 
-RecordedOptions JsonForm<RecordedOptions>::read(const Json& json) {
-  RecordedOptions options;
-  for (const auto& [name, value] : json.items()) options.emplace_back(name, option_from_json(value));
-  return options;
+OptionValue JsonForm<OptionValue>::read(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_integer()) return whole_number<long>("option", json);
+  if (json.is_number()) return json.get<double>();
+  const auto text = json.get<std::string>();
+  return text == "auto" ? OptionValue{} : OptionValue{text};
 }
-
-Json JsonForm<Settings>::write(const Settings& settings) { return object_of(settings); }
-
-Settings JsonForm<Settings>::read(const Json& json) { return pairs_of<Settings>(json); }
-
-Json JsonForm<DrawnValues>::write(const DrawnValues& values) { return object_of(values); }
-
-DrawnValues JsonForm<DrawnValues>::read(const Json& json) { return pairs_of<DrawnValues>(json); }
 
 Json JsonForm<TimedRound>::write(const TimedRound& round) {
   Json times{round.setup, round.solve};
@@ -121,23 +84,22 @@ TimedRound JsonForm<TimedRound>::read(const Json& json) {
 }
 
 Json to_json(const Record& record) {
-  Json json{{"schema", kRecordSchema}};
+  Json json{{"schema", 1}};
   json.update(write_fields(record));
   return json;
 }
 
 Record record_from_json(const Json& json) {
   try {
-    if (whole_number<int>("schema", json.at("schema")) != kRecordSchema)
-      throw BadRecord("schema = unknown (must be 1)");
+    if (whole_number<int>("schema", json.at("schema")) != 1) throw BadRecord("schema = unknown (must be 1)");
     Record record;
     read_fields(json, record);
     if (!json.contains("settings")) record.settings = parse_case_name(record.case_id).settings;
     return record;
   } catch (const nlohmann::json::exception& error) {
     const std::string what = error.what();  // "[json.exception...] key 'case' not found"
-    throw BadRecord(fmt::format("record = unreadable (must be one as run writes it: {})",
-                                what.substr(what.find("] ") + 2)));
+    throw BadRecord("record = unreadable (must be one as run writes it: {})",
+                    what.substr(what.find("] ") + 2));
   }
 }
 

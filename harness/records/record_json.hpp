@@ -3,9 +3,12 @@
 // (docs/records.md has a row for each; a test compares the two), and the form of what is special: laws,
 // options, rounds.
 
+#include <array>
+#include <string_view>
+
 #include "harness/records/json_fields.hpp"
 #include "harness/records/record.hpp"
-#include "harness/records/response_fields.hpp"
+#include "methods/curve.hpp"
 
 namespace signorini {
 
@@ -27,18 +30,66 @@ struct JsonForm<RepresentedLaw> {
 /// The law of one contact likewise, with one number: {"penalty": 1e6}.
 nlohmann::ordered_json contact_law_json(const ContactLaw& law);
 
-/// An object, option by option.
+/// The names in record files.
 template <>
-struct JsonForm<RecordedOptions> {
-  static nlohmann::ordered_json write(const RecordedOptions& options);  ///< "auto" where the method chooses
-  static RecordedOptions read(const nlohmann::ordered_json& json);      ///< numbers keep their kind
+struct EnumNames<ResponseWay> {
+  /// In order.
+  static constexpr std::array<std::string_view, 3> values{"exact", "arc-length", "steps"};
 };
 
-/// An object of texts, setting by setting.
+void visit_fields(Either<LocatedPoint> auto& point, auto&& field) {
+  field(required("kind"), point.kind);
+  field(required("omega", "rad/s"), point.frequency);
+  field(required("order"), point.order);
+  field(Field{"amplitude", "m"}, point.amplitude);
+}
+
+void visit_fields(Either<CurveShares> auto& shares, auto&& field) {
+  field(required("covered"), shares.covered);
+  field(Field{"covered_stable"}, shares.covered_stable);
+  field(required("false"), shares.false_share);
+}
+
+void visit_fields(Either<PointMatch> auto& match, auto&& field) {
+  field(required("exact"), match.exact);
+  field(Field{"omega", "rad/s"}, match.frequency);
+}
+
+void visit_fields(Either<CurveComparison> auto& comparison, auto&& field) {
+  field(required("within_0.02"), comparison.close);
+  field(required("within_0.05"), comparison.wide);
+  field(required("exact_length"), comparison.exact_length);
+  field(required("length"), comparison.length);
+  field(required("right_length"), comparison.right_length);
+  field(Field{"points", "", Presence::always}, comparison.points);
+  field(Field{"invented", "", Presence::always}, comparison.invented);
+}
+
+void visit_fields(Either<DrawnBranch> auto& branch, auto&& field) {
+  field(required("omega", "rad/s"), branch.frequency);
+  field(required("amplitude", "m"), branch.amplitude);
+  field(required("stable"), branch.stable);
+  field(Field{"motion", "m"}, branch.motion);
+  field(Field{"by_steps"}, branch.by_steps);
+}
+
+void visit_fields(Either<RecordedResponse> auto& response, auto&& field) {
+  field(required("way"), response.question.way);
+  field(required("from", "rad/s"), response.question.from);
+  field(required("to", "rad/s"), response.question.to);
+  field(required("orders"), response.question.orders);
+  field(required("points"), response.points);
+  field(Field{"comparison"}, response.comparison);
+  field(Field{"located"}, response.located);
+  field(Field{"open_ends"}, response.open_ends);
+  field(Field{"branches"}, response.branches);
+}
+
+/// The value of an option: numbers keep their kind.
 template <>
-struct JsonForm<Settings> {
-  static nlohmann::ordered_json write(const Settings& settings);  ///< values as asked for
-  static Settings read(const nlohmann::ordered_json& json);       ///< values as asked for
+struct JsonForm<OptionValue> {
+  static nlohmann::ordered_json write(const OptionValue& value);  ///< "auto" where the method chooses
+  static OptionValue read(const nlohmann::ordered_json& json);    ///< \throws BadRecord
 };
 
 /// A pair, set-up and solve.
@@ -56,13 +107,6 @@ void visit_fields(Either<FamilyLevel> auto& level, auto&& field) {
   field(required("levels"), level.levels);
 }
 
-/// An object of numbers, place by place.
-template <>
-struct JsonForm<DrawnValues> {
-  static nlohmann::ordered_json write(const DrawnValues& values);  ///< {"contact[0].gap": 0.2}
-  static DrawnValues read(const nlohmann::ordered_json& json);     ///< in the order of the file
-};
-
 void visit_fields(Either<SceneInstance> auto& instance, auto&& field) {
   field(required("name"), instance.scene);
   field(required("seed"), instance.seed);
@@ -70,13 +114,17 @@ void visit_fields(Either<SceneInstance> auto& instance, auto&& field) {
   field(required("values"), instance.values);
 }
 
+void visit_fields(Either<Work> auto& counts, auto&& field) {
+  field(Field{"unknowns"}, counts.unknowns);
+  field(Field{"iterations"}, counts.iterations);
+  field(Field{"pivots"}, counts.pivots);
+  field(Field{"rhs_evaluations"}, counts.rhs_evaluations);
+  field(Field{"factorisations"}, counts.factorisations);
+  field(Field{"points"}, counts.points);
+}
+
 void visit_fields(Either<WorkDone> auto& work, auto&& field) {
-  field(Field{"unknowns"}, work.counts.unknowns);
-  field(Field{"iterations"}, work.counts.iterations);
-  field(Field{"pivots"}, work.counts.pivots);
-  field(Field{"rhs_evaluations"}, work.counts.rhs_evaluations);
-  field(Field{"factorisations"}, work.counts.factorisations);
-  field(Field{"points"}, work.counts.points);
+  visit_fields(work.counts, field);
   field(Field{"peak_memory_bytes", "bytes"}, work.peak_memory_bytes);
 }
 

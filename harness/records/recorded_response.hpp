@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/plan/response_question.hpp"
+#include "harness/plan/suite.hpp"
 
 namespace signorini {
 

@@ -257,7 +257,6 @@ std::string samples_defect(const Samples& samples, Eigen::Index count, Eigen::In
 
 std::string answer_digest(const Trajectory& answer) {
   constexpr int kInstants = 64;
-  constexpr std::size_t kDigits = 16;
   std::string bytes;
   const double period = answer.period();
   append(bytes, std::span(&period, 1));
@@ -269,7 +268,7 @@ std::string answer_digest(const Trajectory& answer) {
     append(bytes, std::span(&impulse.time, 1));
     append(bytes, std::span(&impulse.value, 1));
   }
-  return sha256(bytes).substr(0, kDigits);
+  return short_digest(bytes);
 }
 
 TrajectorySamples samples_of(const Trajectory& trajectory, int count) {
@@ -295,8 +294,7 @@ std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const Traj
   data.impulses = samples.impulses;
   constexpr int kMostHarmonics = 1000000;
   if (samples.bandwidth && (*samples.bandwidth < 0 || *samples.bandwidth > kMostHarmonics))
-    throw BadRecord(
-        fmt::format("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics));
+    throw BadRecord("trajectory.bandwidth = {} (must be in 0..{})", *samples.bandwidth, kMostHarmonics);
   data.bandwidth = samples.bandwidth;
   data.events = samples.events;
   try {
@@ -308,7 +306,7 @@ std::shared_ptr<const SampledTrajectory> trajectory_of(double period, const Traj
 
 std::shared_ptr<const SampledTrajectory> start_from_file(const std::string& path) {
   const auto refuse = [&](std::string_view requirement) {
-    return UsageError(fmt::format("start = {} ({})", path, requirement));
+    return UsageError("start = {} ({})", path, requirement);
   };
   const auto json = try_parse_json(read_file(path));
   if (json.is_discarded()) throw refuse("must be JSON as printed by solve --json --samples N");

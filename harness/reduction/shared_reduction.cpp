@@ -8,7 +8,6 @@
 #include "harness/failure.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/isolation/child_process.hpp"
-#include "harness/isolation/program_run.hpp"
 #include "harness/text/words.hpp"
 
 namespace signorini {

@@ -16,7 +16,7 @@
 #include "harness/records/record_json.hpp"
 #include "harness/responses/curve_comparison.hpp"
 #include "harness/responses/true_motion.hpp"
-#include "harness/run/case_task.hpp"
+#include "harness/run/runner.hpp"
 #include "harness/sweep/attractors.hpp"
 #include "harness/sweep/branch_response.hpp"
 #include "harness/text/json.hpp"

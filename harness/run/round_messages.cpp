@@ -15,9 +15,33 @@
 
 namespace signorini {
 
+/// What the child of a later round sends.
+void visit_fields(Either<RepeatedSolve> auto& repeat, auto&& field) {
+  field(Field{"times", "s"}, repeat.times);
+  field(Field{"answer"}, repeat.answer);
+  field(Field{"message"}, repeat.message);
+  field(Field{"status"}, repeat.status);
+  field(Field{"signal"}, repeat.signal);
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Of a case whose child ended so before there was an answer.
+Status status_of(ChildEnd::Kind end) {
+  switch (end) {
+    case ChildEnd::Kind::threw:
+      return Status::exception;
+    case ChildEnd::Kind::out_of_memory:
+      return Status::out_of_memory;
+    case ChildEnd::Kind::timed_out:
+    case ChildEnd::Kind::out_of_processor_time:
+      return Status::timeout;
+    default:
+      return Status::crashed;
+  }
+}
 
 /// What a child was doing when it died after the answer had arrived, for the message of its record.
 const char* work_after(TrialStage last) {
@@ -103,33 +127,26 @@ Record received_first_round(const Record& blank, const ReceivedRound& lines, con
 }
 
 void send_later_round(const RepeatedSolve& repeat, const LineSender& send) {
-  if (!repeat.times) {
-    Json failure{{"message", repeat.message}, {"status", status_name(repeat.status)}};
-    if (repeat.signal) failure["signal"] = *repeat.signal;
-    return send(json_line(failure));
-  }
-  Json times{{"setup", repeat.times->setup}, {"solve", repeat.times->solve}, {"answer", repeat.answer}};
-  if (repeat.times->first) times["first"] = *repeat.times->first;
-  send(json_line(times));
+  send(json_line(write_fields(repeat)));
 }
 
 void take_later_round(const ChildEnd& end, Record& record) {
   record.elapsed = record.elapsed.value_or(0.0) + end.seconds;
-  const Json json = end.lines.empty() ? Json::object() : try_parse_json(end.lines.back());
-  if (json.contains("setup")) {
+  const Json json = end.lines.empty() ? Json() : try_parse_json(end.lines.back());
+  RepeatedSolve repeat;
+  if (json.is_object()) read_fields(json, repeat);
+  if (repeat.times) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
-    rounds.push_back({.setup = json.at("setup"), .solve = json.at("solve")});
-    if (json.contains("first")) rounds.back().first = json.at("first").get<double>();
+    rounds.push_back(*repeat.times);
     const std::optional<double> exchange = record.seconds->exchange;
     record.seconds = summarise(rounds);
     record.seconds->exchange = exchange;
-    count_repeat(json.at("answer"), record);
-    return;
+    return count_repeat(repeat.answer, record);
   }
-  if (json.contains("message")) {
-    record.status = enum_from_name<Status>("status", json.at("status").get<std::string>());
-    record.message = json.at("message");
-    if (json.contains("signal")) record.signal = whole_number<int>("signal", json.at("signal"));
+  if (json.is_object()) {
+    record.status = repeat.status;
+    record.message = repeat.message;
+    record.signal = repeat.signal;
   } else {
     take_failure(end, record);
   }
@@ -138,30 +155,10 @@ void take_later_round(const ChildEnd& end, Record& record) {
 }
 
 void take_failure(const ChildEnd& end, Record& record) {
-  record.message = as_message(describe(end));
-  switch (end.kind) {
-    case ChildEnd::Kind::threw:
-      record.status = Status::exception;
-      record.message = as_message(end.detail);
-      break;
-    case ChildEnd::Kind::out_of_memory:
-      record.status = Status::out_of_memory;
-      break;
-    case ChildEnd::Kind::timed_out:
-    case ChildEnd::Kind::out_of_processor_time:
-      record.status = Status::timeout;
-      break;
-    case ChildEnd::Kind::signalled:
-      record.signal = end.code;
-      record.status = Status::crashed;
-      break;
-    case ChildEnd::Kind::exited:
-    case ChildEnd::Kind::flooded:
-    case ChildEnd::Kind::finished:
-    case ChildEnd::Kind::interrupted:
-      record.status = Status::crashed;
-      break;
-  }
+  const bool threw = end.kind == ChildEnd::Kind::threw;
+  record.status = status_of(end.kind);
+  record.message = as_message(threw ? end.detail : describe(end));
+  if (end.kind == ChildEnd::Kind::signalled) record.signal = end.code;
 }
 
 }  // namespace signorini

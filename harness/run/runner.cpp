@@ -1,20 +1,24 @@
 #include "harness/run/runner.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <functional>
+#include <numbers>
 #include <utility>
 
+#include "harness/files.hpp"
 #include "harness/interrupt.hpp"
 #include "harness/judge/certificate.hpp"
 #include "harness/orbits/orbit_file.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/record_json.hpp"
-#include "harness/run/case_task.hpp"
-#include "harness/run/problem_digest.hpp"
 #include "harness/run/round_messages.hpp"
 #include "harness/run/trial.hpp"
+#include "harness/text/json.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/sparse_cholesky.hpp"
@@ -51,10 +55,10 @@ IsolationLimits later_round_limits(const Limits& limits, double solve) {
 /// Whether a factorisation of K in this process, which has no limits, is a matter of seconds and of a quarter
 /// of what a process may take.
 bool is_shared(const Problem& problem, int memory_mb) {
-  constexpr double kMostOperations = 1e11, kShare = 0.25, kMebibyte = 1048576.0;
+  constexpr double kMostOperations = 1e11, kShare = 0.25;
   if (problem.size() <= kMostFactorised && !prefers_reduction(problem)) return false;
   const auto [operations, entries] = SparseCholesky::cost_of(problem.stiffness());
-  return operations <= kMostOperations && 8.0 * entries <= kShare * kMebibyte * memory_mb;
+  return operations <= kMostOperations && 8.0 * entries <= kShare * (1 << 20) * memory_mb;
 }
 
 /// The judge's space of a large structure that several answers are judged on: made here once, and inherited
@@ -67,6 +71,17 @@ void share_space(const Problem& problem, std::span<const Job> jobs, int memory_m
     spaces.forget();
 } catch (const std::exception&) {  // whoever needs it says why there is none
   spaces.forget();
+}
+
+/// Entries in (1, 2) without a pattern that the structure of a matrix could share: the fractions of i times
+/// the golden ratio.
+Eigen::VectorXd probe(Eigen::Index size) {
+  Eigen::VectorXd entries(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const double turn = static_cast<double>(i + 1) * std::numbers::phi;
+    entries[i] = 1.0 + turn - std::floor(turn);
+  }
+  return entries;
 }
 
 }  // namespace
@@ -162,12 +177,8 @@ Trial Runner::trial_of(const Scene& scene, const Job& job, const StartPoint& sta
           .scene_reference = references_.under(Undetermined{}, scene.problem),
           .orbits = orbits_,
           .start = start.motion,
-          .samples = extras.samples,
-          .timed = extras.timed,
-          .certified = extras.certified,
-          .measured = extras.measured,
           .waveforms = waveforms_,
-          .summary = extras.summary};
+          .extras = extras};
 }
 
 void Runner::run_first(const Scene& scene, std::span<const Job> jobs, int parallel, const TakeRecord& take,
@@ -301,6 +312,32 @@ std::optional<Record> Runner::run(const Scene& scene, const Job& job, const Solv
     run_later(scene, jobs, begun, 1, take, extras);
   }
   return interrupted() ? std::nullopt : record;
+}
+
+std::string problem_digest(const Problem& problem, const RepresentedLaw& law) {
+  std::string bytes = fmt::format("{} {:a} {} {}\n", problem.size(), problem.frequency, problem.subharmonic,
+                                  json_text(JsonForm<RepresentedLaw>::write(law)));
+  const Eigen::VectorXd vector = probe(problem.size());
+  std::vector<const SparseMatrix*> matrices{&problem.mass(), &problem.damping(), &problem.stiffness()};
+  if (const SpeedTerms* speed = problem.structure->speed.get())
+    matrices.insert(matrices.end(), {&speed->gyroscopic, &speed->circulatory});
+  for (const SparseMatrix* matrix : matrices) {
+    const Eigen::VectorXd product = *matrix * vector;
+    bytes.append(reinterpret_cast<const char*>(product.data()),
+                 static_cast<std::size_t>(product.size()) * sizeof(double));
+  }
+  // At this frequency; what moves with the stops enters by its loads.
+  for (const ForceTerm& term : problem.force) {
+    const double factor = std::pow(problem.frequency, term.omega_power);
+    bytes +=
+        fmt::format("f {} {} {:a} {:a}\n", term.dof, term.harmonic, factor * term.cos, factor * term.sin);
+  }
+  for (const Contact& contact : problem.contacts) {
+    bytes += fmt::format("g {:a}", contact.gap);
+    for (const auto& [dof, coefficient] : contact.normal) bytes += fmt::format(" {} {:a}", dof, coefficient);
+    bytes += "\n";
+  }
+  return short_digest(bytes);
 }
 
 }  // namespace signorini

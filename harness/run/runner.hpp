@@ -19,19 +19,23 @@
 
 namespace signorini {
 
-/// What one solve is asked for beyond its case.
-struct SolveExtras {
-  std::shared_ptr<const Trajectory> start = {};  ///< null: as the case says, cold unless it has a start
-  int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
-  bool timed = true;
-  bool certified = true;                       ///< look for the orbit behind the answer
-  bool measured = true;                        ///< as of Trial
-  std::optional<SummaryRequest> summary = {};  ///< summarise the motion of the answer
-  /// Called with what the method answers as soon as it has, before the harness judges it.
-  std::function<void(const Record& answer)> on_answer = {};
+/// What a case may ask of its method in place of one solve of its scene, with processes of its own as a solve
+/// has them.
+class CaseTask {
+ public:
+  virtual ~CaseTask() = default;
+  /// Processor time that the first answer may take [s].
+  [[nodiscard]] virtual double seconds() const = 0;
+  /// In the process of the first round: answers and judges, then times one round.
+  /// \param record      names scene, method and law
+  /// \param stage_done  called with the record after the stages of TrialStage but the last
+  virtual void run(Record record, const std::function<void(const Record&)>& stage_done) const = 0;
+  /// In the process of a later round: answers once more, for the time.
+  [[nodiscard]] virtual RepeatedSolve repeat() const = 0;
+  /// In the parent, after the first round: takes out of the record what other cases need of it, and is not to
+  /// be kept.
+  virtual void release(Record& record) const = 0;
 };
-
-class CaseTask;
 
 /// A case whose method has been asked whether it applies. The case must outlive it.
 struct Job {
@@ -128,5 +132,10 @@ class Runner {
   std::optional<double> waveforms_ = {};
   References references_;
 };
+
+/// Sixteen hexadecimal digits, equal where M, D, K, load, contacts, period and the law that is represented
+/// are equal to the last bit, whatever the scene is called and whatever its own law is. The matrices enter by
+/// their products with one fixed vector, so that a million coordinates cost milliseconds.
+std::string problem_digest(const Problem& problem, const RepresentedLaw& law);
 
 }  // namespace signorini

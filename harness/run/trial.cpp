@@ -49,10 +49,9 @@ class ProcessorClock {
 
 /// A figure of /proc/self/status in bytes; empty where there is none.
 std::optional<long> status_bytes(const std::string& key) {
-  constexpr long kKilobyte = 1024;
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(key + ":")) return std::stol(line.substr(key.size() + 1)) * kKilobyte;
+    if (line.starts_with(key + ":")) return std::stol(line.substr(key.size() + 1)) * 1024;
   }
   return std::nullopt;
 }
@@ -62,8 +61,6 @@ double timed_solve(PreparedMethod& prepared, const Start& start, Solution& solut
   const double passed = seconds_of([&] { solution = prepared.solve(start); });
   const std::optional<double> own = prepared.own_times().last;
   if (!own) return passed;
-  // A round lasts until these times add up to it: one that is told too short must not make it endless.
-  constexpr double kLeastShare = 0.01;
   return std::max(*own, kLeastShare * passed);
 }
 
@@ -101,7 +98,7 @@ std::optional<Motion> take_solution(const Trial& trial, const Solution& solution
   record.status = Status::converged;
   record.period = solution.trajectory->period();
   record.answer = answer_digest(*solution.trajectory);
-  if (trial.samples > 0) record.trajectory = samples_of(*solution.trajectory, trial.samples);
+  if (trial.extras.samples > 0) record.trajectory = samples_of(*solution.trajectory, trial.extras.samples);
   return std::move(answer.motion);
 }
 
@@ -217,7 +214,7 @@ Round round_from(const FirstCall& first, const Limits& limits) {
 
 void take_times(const Trial& trial, const FirstCall& first, Record& record) {
   const std::string& untimed = trial.planned_case.choice.entry->untimed;
-  if (!trial.timed) {
+  if (!trial.extras.timed) {
     record.not_timed = "not asked for";
   } else if (!untimed.empty()) {
     record.not_timed = untimed;
@@ -252,7 +249,7 @@ void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory
 /// What the motion does, and where samples were asked for those of coordinates too.
 void take_physics(const Trial& trial, Motion& motion, Record& record) {
   const Problem& problem = trial.scene.problem;
-  if (trial.measured || trial.certified) {
+  if (trial.extras.measured || trial.extras.certified) {
     motion.least = least_size(problem, space_of_large(trial).get());
     record.physics = measure_physics(problem, trial.law, motion, space_of_large(trial).get());
   } else if (problem.contact_count() > 0) {
@@ -262,13 +259,13 @@ void take_physics(const Trial& trial, Motion& motion, Record& record) {
 
 void take_summary(const Trial& trial, const Trajectory& answer, const Motion& motion, Record& record) {
   const Problem& problem = trial.scene.problem;
-  record.motion = summarise_motion(problem, trial.law, answer, motion, *trial.summary);
+  record.motion = summarise_motion(problem, trial.law, answer, motion, *trial.extras.summary);
   if (record.motion->u.empty()) return;
-  const CoordinateMotion field(problem, answer, motion, trial.summary->dofs);
+  const CoordinateMotion field(problem, answer, motion, trial.extras.summary->dofs);
   if (field.error()) record.message += fmt::format("; u to {:.1e} m", *field.error());
   if (!record.trajectory) return;
-  record.trajectory->dofs = trial.summary->dofs;
-  const Eigen::MatrixXd samples = field.displacement(trial.samples);
+  record.trajectory->dofs = trial.extras.summary->dofs;
+  const Eigen::MatrixXd samples = field.displacement(trial.extras.samples);
   for (const auto& u : samples.colwise()) record.trajectory->u.emplace_back(u.begin(), u.end());
 }
 
@@ -331,7 +328,7 @@ void TrialSeries::run(const Trial& trial, Record record,
   std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
   if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);
   record.processor.solve = processor.lap() + taken;
-  if (motion && trial.summary) take_summary(trial, *solution.trajectory, *motion, record);
+  if (motion && trial.extras.summary) take_summary(trial, *solution.trajectory, *motion, record);
   stage_done(record);
   if (!motion) return;
   static_cast<void>(processor.lap());  // the summary is no stage of its own
@@ -351,7 +348,7 @@ void TrialSeries::run(const Trial& trial, Record record,
   take_physics(trial, *motion, record);
   record.processor.measures = processor.lap();
   stage_done(record);
-  if (trial.certified) {
+  if (trial.extras.certified) {
     take_certificate(trial, solution.trajectory, *motion, record);
     record.processor.certificate = processor.lap();
   } else {

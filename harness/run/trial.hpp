@@ -15,6 +15,19 @@
 
 namespace signorini {
 
+/// What one solve is asked for beyond its case.
+struct SolveExtras {
+  std::shared_ptr<const Trajectory> start = {};  ///< null: as the case says, cold unless it has a start
+  int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
+  bool timed = true;
+  bool certified = true;  ///< look for the orbit behind the answer
+  bool measured = true;   ///< measure energy, penetration and restitution, not the contact ratio alone;
+                          ///< certified answers are
+  std::optional<SummaryRequest> summary = {};  ///< summarise the motion of the answer
+  /// Called with what the method answers as soon as it has, before the harness judges it.
+  std::function<void(const Record& answer)> on_answer = {};
+};
+
 /// What a first round is given. What it refers to must outlive it.
 struct Trial {
   const Scene& scene;
@@ -25,14 +38,9 @@ struct Trial {
   const Reference& scene_reference;  ///< of the scene under its own
   const OrbitTools& orbits;
   std::shared_ptr<const Trajectory> start = {};  ///< null: cold
-  int samples = 0;                               ///< instants of the trajectory kept in the record; 0: none
-  bool timed = true;
-  bool certified = true;  ///< look for the orbit behind the answer
-  bool measured = true;   ///< measure energy, penetration and restitution, not the contact ratio alone;
-                          ///< certified answers are
   /// Keep the answer and its orbit as they are drawn, to this share of each signal's range.
   std::optional<double> waveforms = {};
-  std::optional<SummaryRequest> summary = {};  ///< summarise the motion of the answer
+  SolveExtras extras = {};  ///< all but their start
 };
 
 /// Stages of a trial, in order; its first round of timing is one of them.
@@ -79,6 +87,10 @@ inline constexpr const char* kRepeated = "in a repeated solve: ";
 /// Catches of what the method throws only SolveFailure.
 RepeatedSolve repeat_solve(const Scene& scene, const Case& planned_case, const Limits& limits,
                            const std::shared_ptr<const Trajectory>& start);
+
+/// A method that tells its own time is believed down to this share of what passed: a round of timing lasts
+/// until such times add up to it.
+inline constexpr double kLeastShare = 0.01;
 
 /// Thrown by the solve of a method that runs a command which crashed, was stopped or printed no answer; and
 /// where a solve that is repeated has none.

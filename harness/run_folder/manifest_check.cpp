@@ -163,8 +163,8 @@ std::string field_of(std::string place) {
 void require(const Json& object, const Rule& rule, const std::string& group) {
   const Json::json_pointer place(rule.place);
   if (!object.contains(place) || rule.holds(object.at(place))) return;
-  throw BadRecord(fmt::format("{}{} = {} ({})", group, field_of(rule.place),
-                              one_line(json_text(object.at(place))), rule.requirement));
+  throw BadRecord("{}{} = {} ({})", group, field_of(rule.place), one_line(json_text(object.at(place))),
+                  rule.requirement);
 }
 
 void require_plausible(const Json& manifest) {
@@ -190,7 +190,7 @@ Json parse_manifest(const std::string& text, const std::string& name) {
     require_plausible(manifest);
     return manifest;
   } catch (const BadRecord& error) {
-    throw UsageError(fmt::format("{}: {}", name, error.what()));
+    throw UsageError("{}: {}", name, error.what());
   }
 }
 

@@ -95,8 +95,8 @@ std::vector<RecordEntry> joined_records(std::vector<RunFolder>& parts) {
   std::ranges::stable_sort(records, by_name<RecordEntry>);
   for (std::size_t i = 1; i < records.size(); ++i) {
     if (records[i].case_id == records[i - 1].case_id && records[i].key != records[i - 1].key) {
-      throw UsageError(fmt::format("{}: case = {} (must be of one scene file and one version of the code)",
-                                   parts[records[i].part].path.string(), records[i].case_id));
+      throw UsageError("{}: case = {} (must be of one scene file and one version of the code)",
+                       parts[records[i].part].path.string(), records[i].case_id);
     }
   }
   const auto is_same = [](const RecordEntry& one, const RecordEntry& other) {
@@ -146,8 +146,8 @@ void require_all_shards(std::span<const RunFolder> parts) {
     for (const Shard& shard : shards_of(part)) {
       if (count == 0) count = shard.count;
       if (shard.count != count) {
-        throw UsageError(fmt::format("{}: shard = {}/{} (must be one of {}, as in {})", part.path.string(),
-                                     shard.index, shard.count, count, parts.front().path.string()));
+        throw UsageError("{}: shard = {}/{} (must be one of {}, as in {})", part.path.string(), shard.index,
+                         shard.count, count, parts.front().path.string());
       }
       present.insert(shard.index);
     }
@@ -156,8 +156,7 @@ void require_all_shards(std::span<const RunFolder> parts) {
   for (int i = 1; i <= count; ++i) {
     if (!present.contains(i)) missing += fmt::format("{}{}/{}", missing.empty() ? "" : ", ", i, count);
   }
-  if (!missing.empty())
-    throw UsageError(fmt::format("dirs = without shard {} (must be all shards of a run)", missing));
+  if (!missing.empty()) throw UsageError("dirs = without shard {} (must be all shards of a run)", missing);
 }
 
 }  // namespace
@@ -208,8 +207,7 @@ void require_no_run(const std::filesystem::path& out) {
   if (!std::filesystem::exists(manifest)) return;
   const Json known = read_manifest(manifest);
   if (known.contains("shards") || known.contains("runs")) return;
-  throw UsageError(
-      fmt::format("out = {} (must be a new folder or an earlier merge, not a run)", out.string()));
+  throw UsageError("out = {} (must be a new folder or an earlier merge, not a run)", out.string());
 }
 
 void require_same_machine(const RunFolder& before, const RunFolder& now) {

@@ -1,8 +1,5 @@
 #include "harness/run_folder/record_store.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -54,7 +51,7 @@ Record StoredRecords::at(const LinePlace& place) const {
   try {
     return parse_line(lines_.at(place));
   } catch (const BadRecord& error) {
-    throw UsageError(fmt::format("record = changed (must not change while it is read: {})", error.what()));
+    throw UsageError("record = changed (must not change while it is read: {})", error.what());
   }
 }
 

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <sstream>
 #include <string_view>
@@ -38,8 +37,8 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
   for (std::string line; std::getline(lines, line);) {
     const std::size_t space = line.find(' ');
     if (space == std::string::npos || line.size() > kLongestText || has_control_characters(line))
-      throw UsageError(fmt::format("{}: case = {} (must be a key and a name, at most {} bytes)",
-                                   file.string(), one_line(line), kLongestText));
+      throw UsageError("{}: case = {} (must be a key and a name, at most {} bytes)", file.string(),
+                       one_line(line), kLongestText);
     const std::string name = line.substr(space + 1);
     plan.push_back({.key = line.substr(0, space), .case_id = name, .method = parse_case_name(name).method});
   }
@@ -50,42 +49,29 @@ std::vector<PlannedCase> read_plan(const fs::path& file) {
 Json manifest_of(const fs::path& folder) {
   refuse_old_responses(folder);
   if (!fs::exists(folder / "manifest.json") || !fs::exists(folder / "records.jsonl")) {
-    throw UsageError(
-        fmt::format("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
-                    folder.string()));
+    throw UsageError("dir = {} (must be a folder with manifest.json and records.jsonl, as run writes it)",
+                     folder.string());
   }
   return read_manifest(folder / "manifest.json");
 }
 
-/// Entries in the order of their first record, each key once. Names are not copied: a set of places compares
-/// the keys where they stand.
-class EntriesByKey {
- public:
-  void add(RecordEntry entry) {
-    const bool has_key = !entry.key.empty();
-    entries_.push_back(std::move(entry));
-    if (!has_key) return;  // of records that are nobody's
-    const auto [place, fresh] = places_.insert(entries_.size() - 1);
-    if (fresh) return;
-    entries_[*place] = std::move(entries_.back());
-    entries_.pop_back();
+/// Of several entries with one key the last, where the first stood; those without a key are nobody's, and
+/// stay.
+std::vector<RecordEntry> last_of_each_key(std::vector<RecordEntry> entries) {
+  std::vector<std::size_t> kept;
+  std::unordered_map<std::string_view, std::size_t> places;  // of keys in `kept`
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto [place, fresh] = places.try_emplace(entries[i].key, kept.size());
+    if (fresh || entries[i].key.empty())
+      kept.push_back(i);
+    else
+      kept[place->second] = i;
   }
-
-  std::vector<RecordEntry> take() { return std::move(entries_); }
-
- private:
-  struct Hash {
-    const std::vector<RecordEntry>& entries;
-    std::size_t operator()(std::size_t place) const { return std::hash<std::string>{}(entries[place].key); }
-  };
-  struct Equal {
-    const std::vector<RecordEntry>& entries;
-    bool operator()(std::size_t a, std::size_t b) const { return entries[a].key == entries[b].key; }
-  };
-
-  std::vector<RecordEntry> entries_;
-  std::unordered_set<std::size_t, Hash, Equal> places_{0, Hash{entries_}, Equal{entries_}};
-};
+  if (kept.size() == entries.size()) return entries;
+  std::vector<RecordEntry> last;
+  for (const std::size_t i : kept) last.push_back(std::move(entries[i]));
+  return last;
+}
 
 /// Keys of a run's plan; where there is none, those of the last record of each case.
 std::unordered_set<std::string_view> keys_that_count(const RunFolder& run) {
@@ -192,13 +178,12 @@ RunFolder read_run(const fs::path& folder) {
 RunFolder read_entries(const fs::path& folder, const RecordObserver& observe) {
   RunFolder run{.path = folder};
   if (fs::exists(folder / "plan.txt")) run.plan = read_plan(folder / "plan.txt");
-  EntriesByKey entries;
-  std::size_t count = 0;
+  std::vector<RecordEntry> entries;
   for_each_record(folder / "records.jsonl", [&](Record record, const LinePlace& place) {
-    entries.add(entry_of(record, place, count++));
+    entries.push_back(entry_of(record, place, entries.size()));
     observe(std::move(record));
   });
-  run.records = entries.take();
+  run.records = last_of_each_key(std::move(entries));
   set_stale_aside(run);
   return run;
 }
@@ -225,16 +210,15 @@ Limits limits_of_run(const fs::path& folder) {
     read_fields(manifest.at("limits"), limits);
     return limits;
   } catch (const nlohmann::json::exception&) {
-    throw UsageError(
-        fmt::format("{}: limits = unreadable (must be a manifest that run wrote)", file.string()));
+    throw UsageError("{}: limits = unreadable (must be a manifest that run wrote)", file.string());
   }
 }
 
 void refuse_old_responses(const fs::path& folder) {
   if (fs::exists(folder / "records.jsonl") || !fs::exists(folder / "responses.jsonl")) return;
-  throw UsageError(fmt::format(
+  throw UsageError(
       "dir = {} (must hold records.jsonl, not responses.jsonl of an earlier version: `run` makes them anew)",
-      folder.string()));
+      folder.string());
 }
 
 std::string run_name(const fs::path& folder) {

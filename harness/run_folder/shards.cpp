@@ -1,7 +1,5 @@
 #include "harness/run_folder/shards.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <numeric>
@@ -28,7 +26,7 @@ Shard parse_shard(const std::string& text) {
   if (slash != std::string::npos)
     shard = {.index = positive(view.substr(0, slash)), .count = positive(view.substr(slash + 1))};
   if (shard.index < 1 || shard.index > shard.count)
-    throw UsageError(fmt::format("shard = {} (must be I/N with 1 <= I <= N)", text));
+    throw UsageError("shard = {} (must be I/N with 1 <= I <= N)", text);
   return shard;
 }
 

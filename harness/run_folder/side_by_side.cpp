@@ -48,9 +48,8 @@ std::vector<NamedRun> named_runs(std::span<const fs::path> folders) {
     run.folder.path = run.name;
     for (const NamedRun& other : runs) {
       if (other.name == run.name)
-        throw UsageError(
-            fmt::format("dirs = {} (must have another name than {}: tables tell runs apart by it)",
-                        path.string(), other.place.string()));
+        throw UsageError("dirs = {} (must have another name than {}: tables tell runs apart by it)",
+                         path.string(), other.place.string());
     }
     run.hides_times = why_not_comparable(run.folder.manifest);
     if (run.hides_times.empty() && !runs.empty()) run.stand_beside(runs.front());
@@ -66,9 +65,8 @@ class KnownScenes {
   void require_same(const Record& record, const NamedRun& run) {
     const auto [known, fresh] = scenes_.try_emplace(record.scene, record.scene_sha256, run.folder.path);
     if (fresh || known->second.first == record.scene_sha256) return;
-    throw UsageError(
-        fmt::format("{}: scene = {} (must be the same as in {}: its file has changed between the runs)",
-                    run.folder.path.string(), record.scene, known->second.second.string()));
+    throw UsageError("{}: scene = {} (must be the same as in {}: its file has changed between the runs)",
+                     run.folder.path.string(), record.scene, known->second.second.string());
   }
 
  private:

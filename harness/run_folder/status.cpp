@@ -11,21 +11,10 @@ namespace signorini {
 
 namespace {
 
-void count(const RecordEntry& record, RunStatus& status) {
-  switch (record.status) {
-    case Status::converged:
-      ++status.converged;
-      return;
-    case Status::not_applicable:
-      ++status.not_applicable;
-      return;
-    case Status::inaccurate:
-      ++status.inaccurate;
-      break;
-    default:
-      ++status.failed;
-  }
-  status.failures.push_back({.case_id = record.case_id, .status = record.status});
+std::size_t& counter_of(Status status, RunStatus& counters) {
+  if (status == Status::converged) return counters.converged;
+  if (status == Status::not_applicable) return counters.not_applicable;
+  return status == Status::inaccurate ? counters.inaccurate : counters.failed;
 }
 
 }  // namespace
@@ -35,7 +24,9 @@ RunStatus status_of(const RunFolder& run) {
   std::unordered_set<std::string_view> present;
   for (const RecordEntry& record : run.records) {
     present.insert(record.key);
-    count(record, status);
+    ++counter_of(record.status, status);
+    if (record.status != Status::converged && record.status != Status::not_applicable)
+      status.failures.push_back({.case_id = record.case_id, .status = record.status});
   }
   status.stale = run.stale.size();
   status.planned = run.plan.empty() ? present.size() : run.plan.size();

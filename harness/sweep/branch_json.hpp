@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "harness/records/response_fields.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/sweep/frequency_response.hpp"
 #include "methods/curve.hpp"
 

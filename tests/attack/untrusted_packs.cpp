@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "harness/extend/plugins/branch_file.hpp"
+#include "harness/extend/plugins/curve_exchange.hpp"
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/pack/archive.hpp"

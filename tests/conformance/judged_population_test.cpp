@@ -75,7 +75,7 @@ Judged run(const MethodEntry& entry, const Problem& problem, double solve_second
                     .reference = none,
                     .scene_reference = none,
                     .orbits = orbits,
-                    .timed = false};
+                    .extras = {.timed = false}};
   const auto begin = Clock::now();
   auto solved = begin;
   std::clock_t processor = 0;

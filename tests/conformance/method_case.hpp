@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/conformance/checks.hpp"
+#include "harness/conformance/checked_method.hpp"
 
 namespace signorini::test {
 

@@ -1,5 +1,3 @@
-#include "harness/extend/plugins/branch_file.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "harness/extend/plugins/curve_exchange.hpp"
 #include "harness/files.hpp"
 #include "harness/records/json_fields.hpp"
 #include "problems/files/toml_tree.hpp"

@@ -13,11 +13,39 @@
 
 namespace signorini {
 
+/// The words of exchanges.
+template <>
+struct EnumNames<Verdict> {
+  /// In order.
+  static constexpr std::array<std::string_view, 2> values{"converged", "not-converged"};
+};
+
+/// What a command prints of a solve.
+struct AnswerMessage {
+  Verdict verdict = Verdict::not_converged;
+  std::string message = {};
+  std::optional<double> period = {}, residual = {}, condition = {}, seconds = {};
+  Work work = {};
+  std::optional<TrajectorySamples> trajectory = {};
+  std::optional<std::vector<ContactEvent>> events = {};
+};
+
+/// The keys of docs/plugins.md.
+void visit_fields(Either<AnswerMessage> auto& answer, auto&& field) {
+  field(required("verdict"), answer.verdict);
+  field(Field{"message"}, answer.message);
+  field(Field{"period", "s"}, answer.period);
+  field(Field{"residual"}, answer.residual);
+  field(Field{"condition"}, answer.condition);
+  field(Field{"work"}, answer.work);
+  field(Field{"trajectory"}, answer.trajectory);
+  field(Field{"events"}, answer.events);
+  field(Field{"seconds", "s"}, answer.seconds);
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kExchangeSchema = 1;
 /// Instants at which a motion to start from is handed over.
 constexpr int kStartSamples = 1024;
 /// What every scene is called: answers are found, not looked up.
@@ -78,23 +106,6 @@ Json write_problem(const Problem& problem) {
   throw SolveFailure(Status::invalid_output, "the command's answer: " + what);
 }
 
-void allow_only(const Json& json) {
-  constexpr std::array<std::string_view, 9> kKeys{"verdict", "message",    "period", "residual", "condition",
-                                                  "work",    "trajectory", "events", "seconds"};
-  for (const auto& [key, value] : json.items()) {
-    if (std::ranges::find(kKeys, key) == kKeys.end())
-      refuse(fmt::format("{} = unknown (must be one of {})", one_line(key), fmt::join(kKeys, ", ")));
-  }
-}
-
-Verdict read_verdict(const Json& json) {
-  const std::string word = json.at("verdict");
-  if (word == "converged") return Verdict::converged;
-  if (word != "not-converged")
-    refuse(fmt::format("verdict = {} (must be converged or not-converged)", one_line(word)));
-  return Verdict::not_converged;
-}
-
 /// The instants are redundant, but an answer on others would be misread.
 void require_equidistant(const std::vector<double>& t, double period) {
   constexpr double kShare = 1e-6;  // of the period
@@ -105,70 +116,39 @@ void require_equidistant(const std::vector<double>& t, double period) {
   }
 }
 
-std::vector<ContactEvent> read_events(const Json& json) {
-  std::vector<ContactEvent> events;
-  for (const Json& item : json) {
-    const auto kind =
-        enum_from_name<ContactEvent::Kind>("events.kind", one_line(item.at("kind").get<std::string>()));
-    ContactEvent event{.kind = kind,
-                       .contact = whole_number<int>("events.contact", item.at("contact")),
-                       .time = item.at("time")};
-    if (item.contains("impulse")) event.impulse = item["impulse"].get<double>();
-    if (item.contains("push")) event.push = item["push"].get<double>();
-    events.push_back(event);
-  }
-  return events;
+/// The motion, where there is one. \throws BadRecord
+std::shared_ptr<const Trajectory> motion_of(AnswerMessage& answer, double period) {
+  if (!answer.trajectory) return nullptr;
+  require_equidistant(answer.trajectory->t, period);
+  answer.trajectory->events = std::move(answer.events);  // never those of a motion that it may have copied
+  return trajectory_of(period, *answer.trajectory);
 }
 
-/// The motion with its events, if the command lists them.
-std::shared_ptr<const Trajectory> read_motion(const Json& json, double period) {
-  TrajectorySamples samples;
-  read_fields(json.at("trajectory"), samples);
-  samples.events.reset();  // a command lists its own beside the trajectory
-  require_equidistant(samples.t, period);
-  const auto motion = trajectory_of(period, samples);
-  if (!json.contains("events")) return motion;
-  SampledTrajectory::Data data = motion->data();
-  data.events = read_events(json["events"]);
-  try {
-    return std::make_shared<SampledTrajectory>(std::move(data));
-  } catch (const std::invalid_argument& error) {
-    refuse(error.what());
-  }
-}
-
-/// Counts of work: those of a record, none of them negative.
-Work read_work(const Json& json) {
-  WorkDone work;
-  const Json known = write_fields(WorkDone{.counts = {0, 0, 0, 0, 0, 0}});
-  for (const auto& [key, value] : json.items()) {
-    if (!known.contains(key)) refuse(fmt::format("work.{} = unknown", one_line(key)));
-    if (!value.is_number() || value.get<double>() < 0.0)
-      refuse(fmt::format("work.{} = {} (must be 0 or more)", key, one_line(json_text(value))));
-  }
-  read_fields(json, work);
-  return work.counts;
-}
-
-Solution read_solution(const Json& json, double period) {
-  allow_only(json);
-  Solution solution{.verdict = read_verdict(json)};
-  if (json.contains("message")) solution.message = one_line(json["message"].get<std::string>(), 400);
+/// \throws BadRecord
+Solution solution_of(AnswerMessage answer, double period) {
+  Solution solution{.verdict = answer.verdict, .message = one_line(answer.message, 400)};
   if (solution.message.empty()) solution.message = "the command gave no message";
-  if (json.contains("residual")) solution.residual = json["residual"].get<double>();
-  if (json.contains("condition")) solution.condition = json["condition"].get<double>();
-  if (json.contains("work")) solution.work = read_work(json["work"]);
-  if (!json.contains("trajectory")) return solution;
-  if (json.contains("period")) period = json["period"].get<double>();
-  solution.trajectory = read_motion(json, period);
+  solution.residual = answer.residual;
+  solution.condition = answer.condition;
+  solution.work = answer.work;
+  solution.trajectory = motion_of(answer, answer.period.value_or(period));
   return solution;
 }
 
-std::optional<double> read_seconds(const Json& json) {
-  if (!json.contains("seconds")) return std::nullopt;
-  const double seconds = json["seconds"];
-  if (!(seconds >= 0.0)) refuse(fmt::format("seconds = {} (must be 0 or more)", seconds));
-  return seconds;
+/// \throws BadRecord, or an exception of the JSON library
+AnswerMessage read_message(const Json& json) {
+  require_known_keys<AnswerMessage>(json);
+  AnswerMessage answer;
+  read_fields(json, answer);
+  if (!(answer.seconds.value_or(0.0) >= 0.0))
+    refuse(fmt::format("seconds = {} (must be 0 or more)", *answer.seconds));
+  if (!json.contains("work")) return answer;
+  require_known_keys<Work>(json["work"], "work.");
+  for (const auto& [key, value] : json["work"].items()) {
+    if (value.get<double>() < 0.0)
+      refuse(fmt::format("work.{} = {} (must be 0 or more)", key, json_text(value)));
+  }
+  return answer;
 }
 
 }  // namespace
@@ -176,7 +156,7 @@ std::optional<double> read_seconds(const Json& json) {
 Json command_request(const Problem& problem, const std::vector<OptionEcho>& options) {
   RecordedOptions values;
   for (const OptionEcho& option : options) values.emplace_back(option.name, option.value);
-  return {{"schema", kExchangeSchema},
+  return {{"schema", 1},
           {"problem", write_problem(problem)},
           {"options", JsonForm<RecordedOptions>::write(values)}};
 }
@@ -211,7 +191,7 @@ auto read_answer(const std::string& output, const Read& read) {
     const std::string what = error.what();  // "[json.exception...] key 'verdict' not found"
     refuse(one_line(what.substr(what.find("] ") + 2), 200));
   } catch (const BadRecord& error) {
-    refuse(error.what());
+    refuse(one_line(error.what(), 400));
   }
 }
 
@@ -219,7 +199,9 @@ auto read_answer(const std::string& output, const Read& read) {
 
 CommandAnswer read_command_answer(const std::string& output, double period) {
   return read_answer(output, [&](const Json& json) {
-    return CommandAnswer{.solution = read_solution(json, period), .seconds = read_seconds(json)};
+    AnswerMessage answer = read_message(json);
+    const std::optional<double> seconds = answer.seconds;
+    return CommandAnswer{.solution = solution_of(std::move(answer), period), .seconds = seconds};
   });
 }
 

@@ -2,11 +2,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
-#include "harness/extend/plugins/branch_file.hpp"
 #include "harness/extend/plugins/command_method.hpp"
+#include "harness/extend/plugins/curve_exchange.hpp"
 #include "harness/files.hpp"
 #include "harness/text/words.hpp"
 #include "problems/files/toml_tree.hpp"
@@ -179,14 +178,6 @@ RepresentedLaws read_represented(const SceneField& field) {
   return laws;
 }
 
-/// False for what is left out.
-bool read_flag(const SceneField& field) {
-  if (!field.given()) return false;
-  const bool* const flag = std::get_if<bool>(&field.node().value);
-  if (flag == nullptr) field.refuse("must be true or false");
-  return *flag;
-}
-
 std::optional<int> read_limit(const SceneField& field) {
   if (!field.given()) return std::nullopt;
   return field.whole("must be a whole number, 1 or more", 1, kMost);
@@ -238,8 +229,11 @@ CommandDescription read_command_file(const fs::path& file) {
       description.options.push_back(std::move(option));
     }
   }
-  description.persistent = read_flag(root["persistent"]);
-  description.curves = read_flag(root["curves"]);
+  const auto flag = [&](const char* key) {
+    return root[key].given() && root[key].truth("must be true or false");
+  };
+  description.persistent = flag("persistent");
+  description.curves = flag("curves");
   description.most_coordinates = read_limit(root["most_coordinates"]);
   description.most_contacts = read_limit(root["most_contacts"]);
   description.sha256 = sha256(hashed);

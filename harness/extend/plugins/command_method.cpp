@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "harness/extend/plugins/branch_file.hpp"
+#include "harness/extend/plugins/curve_exchange.hpp"
 #include "harness/failure.hpp"
 #include "harness/plan/plan.hpp"
 #include "harness/run/trial.hpp"
@@ -65,9 +65,6 @@ void require_within(double seconds, double passed) {
       fmt::format("the command's answer: seconds = {} (must be at most the {:.6g} s that passed)", seconds,
                   passed));
 }
-
-/// Of the time that passed, the least that a told time of a curve counts as.
-constexpr double kLeastShare = 0.01;
 
 /// A told time, but of the time that passed at least what a hand-over does not explain: so many seconds, and
 /// so many times what writing the request and reading the answer took here.
@@ -232,9 +229,9 @@ MethodEntry load_command_method(const std::filesystem::path& file) {
     }
     for (const Settings& settings : ladder_of(entry)) static_cast<void>(entry.make(settings));
   } catch (const std::runtime_error& error) {  // UsageError: a ladder that cannot be read
-    throw UsageError(fmt::format("{}: ladder = {} ({})", file.string(), entry.ladder, error.what()));
+    throw UsageError("{}: ladder = {} ({})", file.string(), entry.ladder, error.what());
   } catch (const InvalidOption& error) {
-    throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
+    throw UsageError("{}: {}", file.string(), error.what());
   }
   return entry;
 }

@@ -57,8 +57,7 @@ void lift_limit(__rlimit_resource resource) {
   execvp(arguments[0], arguments.data());
   const std::string reason = words[0] + ": " + std::strerror(errno) + "\n";
   static_cast<void>(!::write(STDERR_FILENO, reason.data(), reason.size()));
-  constexpr int kNotExecuted = 127;  // as a shell says
-  _exit(kNotExecuted);
+  _exit(ProgramEnd::kMissing);
 }
 
 }  // namespace

@@ -10,9 +10,7 @@
 
 #include "harness/records/json_fields.hpp"
 #include "harness/text/json.hpp"
-#include "harness/text/words.hpp"
 #include "methods/discretisation/fourier_series.hpp"
-#include "problems/files/toml_tree.hpp"
 
 namespace signorini {
 
@@ -60,20 +58,6 @@ using Samples = Eigen::MatrixXd;
 
 constexpr std::size_t kMostInstants = 1'000'000;
 
-[[noreturn]] void refuse_curve(const std::string& what) { throw BadRecord(what); }
-
-/// \throws BadRecord for a key that the struct has not: it may be one that is misspelt
-template <class Struct>
-void require_known_keys(const nlohmann::ordered_json& json) {
-  std::vector<std::string> names;
-  const Struct none;
-  visit_fields(none, [&](const Field& field, const auto&) { names.emplace_back(field.name); });
-  for (const auto& [key, value] : json.items()) {
-    if (std::ranges::find(names, key) == names.end())
-      refuse_curve(fmt::format("{} = unknown (must be one of {})", one_line(key), joined(names, ", ")));
-  }
-}
-
 void require_known_keys_of_branch(const nlohmann::ordered_json& json) {
   require_known_keys<ExchangedBranch>(json);
   for (const auto& point : json.at("points")) require_known_keys<ExchangedPoint>(point);
@@ -85,20 +69,18 @@ void require_known_keys_of_branch(const nlohmann::ordered_json& json) {
 Eigen::MatrixXd columns_of(const std::vector<std::vector<double>>& rows, const char* key, int contacts,
                            std::size_t least) {
   if (std::cmp_not_equal(rows.size(), contacts))
-    refuse_curve(
-        fmt::format("{} = {} lists (must be one for each of {} contacts)", key, rows.size(), contacts));
+    throw BadRecord("{} = {} lists (must be one for each of {} contacts)", key, rows.size(), contacts);
   const std::size_t length = rows.empty() ? least : rows.front().size();
   if (length < least || length > kMostInstants)
-    refuse_curve(fmt::format("{} = {} numbers (must be {}..{})", key, length, least, kMostInstants));
+    throw BadRecord("{} = {} numbers (must be {}..{})", key, length, least, kMostInstants);
   Eigen::MatrixXd columns(length, contacts);
   for (int j = 0; j < contacts; ++j) {
     const std::vector<double>& row = rows[static_cast<std::size_t>(j)];
     if (row.size() != length)
-      refuse_curve(
-          fmt::format("{} = {} and {} numbers (must be as many for each contact)", key, length, row.size()));
+      throw BadRecord("{} = {} and {} numbers (must be as many for each contact)", key, length, row.size());
     columns.col(j) = Eigen::Map<const Eigen::VectorXd>(row.data(), std::ssize(row));
   }
-  if (!columns.allFinite()) refuse_curve(fmt::format("{} (must be finite numbers)", key));
+  if (!columns.allFinite()) throw BadRecord("{} (must be finite numbers)", key);
   return columns;
 }
 
@@ -133,12 +115,12 @@ OrbitStability stability_of(const std::optional<bool>& stable) {
 SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases) {
   constexpr int kLargestOrder = 1000;
   if (!(given.omega > 0.0) || !std::isfinite(given.omega))
-    refuse_curve(fmt::format("omega = {} (must be a positive number)", given.omega));
+    throw BadRecord("omega = {} (must be a positive number)", given.omega);
   if (given.order < 1 || given.order > kLargestOrder)
-    refuse_curve(fmt::format("order = {} (must be in 1..{})", given.order, kLargestOrder));
-  if (given.impacts < 0) refuse_curve(fmt::format("impacts = {} (must be 0 or more)", given.impacts));
+    throw BadRecord("order = {} (must be in 1..{})", given.order, kLargestOrder);
+  if (given.impacts < 0) throw BadRecord("impacts = {} (must be 0 or more)", given.impacts);
   if (given.x.empty() == given.coefficients.empty() && contacts > 0)
-    refuse_curve(fmt::format("point at {} rad/s (must have either x or coefficients)", given.omega));
+    throw BadRecord("point at {} rad/s (must have either x or coefficients)", given.omega);
   const Eigen::Index asked = Eigen::Index{phases} * given.order;
   Samples x;
   Eigen::MatrixXd motion;
@@ -149,13 +131,13 @@ SolutionPoint solution_of(const ExchangedPoint& given, int contacts, int phases)
     constexpr Eigen::Index kPerHarmonic = 32, kFewest = 64;
     const Eigen::MatrixXd pairs = columns_of(given.coefficients, "coefficients", contacts, 1);
     if (pairs.rows() % 2 == 0)
-      refuse_curve(fmt::format("coefficients = {} numbers (must be a_0 and pairs a_h, b_h)", pairs.rows()));
+      throw BadRecord("coefficients = {} numbers (must be a_0 and pairs a_h, b_h)", pairs.rows());
     const Eigen::MatrixXcd series = series_of(pairs);
     x = sample_series(series, static_cast<int>(std::max(kFewest, kPerHarmonic * (series.rows() - 1))));
     if (phases > 0) motion = sample_series(series, static_cast<int>(asked));
   }
   if (!x.allFinite() || !motion.allFinite())
-    refuse_curve(fmt::format("point at {} rad/s (must have a motion of finite numbers)", given.omega));
+    throw BadRecord("point at {} rad/s (must have a motion of finite numbers)", given.omega);
   SolutionPoint point{.parameter = given.omega,
                       .frequency = given.omega,
                       .order = given.order,
@@ -268,7 +250,7 @@ ExchangedCurve curve_from_json(const nlohmann::ordered_json& json) {
   ExchangedCurve curve;
   read_fields(json, curve);
   if (curve.seconds && !(*curve.seconds >= 0.0))
-    refuse_curve(fmt::format("seconds = {} (must be 0 or more)", *curve.seconds));
+    throw BadRecord("seconds = {} (must be 0 or more)", *curve.seconds);
   return curve;
 }
 
@@ -277,7 +259,7 @@ ExchangedBranch branch_from_line(const std::string& line) {
   require_known_keys_of_branch(json);
   ExchangedBranch branch;
   read_fields(json, branch);
-  if (branch.scene.empty()) refuse_curve("scene = missing (must be the name of the scene)");
+  if (branch.scene.empty()) throw BadRecord("scene = missing (must be the name of the scene)");
   return branch;
 }
 

@@ -2,11 +2,16 @@
 // Curves that other programs followed, as JSON: the answer of a command, or a file of branches.
 // docs/plugins.md has every key.
 
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "methods/curve.hpp"
+#include "methods/method.hpp"
 
 namespace signorini {
 
@@ -66,5 +71,15 @@ ExchangedBranch branch_from_line(const std::string& line);
 ///         order out of range
 BranchDiagram diagram_of(const ExchangedCurve& curve, const ParametrisedScene& scene, int contacts,
                          const CurveLimits& limits);
+
+/// The branches of a file, one per line; empty lines are passed over. \throws SceneError, `FILE:LINE: what`;
+/// UsageError for a file that cannot be read
+std::vector<ExchangedBranch> read_branches(const std::filesystem::path& file);
+
+/// A method that follows, over the frequency of the load, the scenes whose names stand with the branches.
+/// \param represents  the law that the branches obey, by the scene's own; empty where there is none
+std::unique_ptr<Method> method_of_branches(
+    std::shared_ptr<const std::vector<ExchangedBranch>> branches,
+    std::function<std::optional<RepresentedLaw>(const Law&)> represents);
 
 }  // namespace signorini

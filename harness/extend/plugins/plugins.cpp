@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
@@ -42,8 +41,8 @@ std::vector<fs::path> plugins_in(const fs::path& folder) {
     if (extension == ".so" || extension == ".toml") files.push_back(entry.path());
   }
   if (failure) {
-    throw UsageError(fmt::format("{} = {} (must name folders that can be read: {})", kPath, folder.string(),
-                                 failure.message()));
+    throw UsageError("{} = {} (must name folders that can be read: {})", kPath, folder.string(),
+                     failure.message());
   }
   std::ranges::sort(files);
   return files;
@@ -63,8 +62,8 @@ fs::path found(const std::string& file) {
   std::error_code failure;
   fs::path path = fs::canonical(file, failure);
   if (failure || !fs::is_regular_file(path, failure)) {
-    throw UsageError(fmt::format(
-        "plugin = {} (must be a file: a shared object, or a command's description *.toml)", file));
+    throw UsageError("plugin = {} (must be a file: a shared object, or a command's description *.toml)",
+                     file);
   }
   return path;
 }
@@ -73,7 +72,7 @@ fs::path found(const std::string& file) {
 constexpr double kProbeSeconds = 20.0;
 
 [[noreturn]] void refuse(const fs::path& file, std::string_view requirement) {
-  throw UsageError(fmt::format("plugin = {} ({})", file.string(), requirement));
+  throw UsageError("plugin = {} ({})", file.string(), requirement);
 }
 
 /// "EIGEN_MAX_ALIGN_BYTES is 32 there, 16 here": the first item in which two texts of kPluginAbi differ.
@@ -166,49 +165,37 @@ std::vector<MethodEntry> load_shared_plugin(const fs::path& file) {
   return entries;
 }
 
-std::vector<std::string>& given() {
-  static std::vector<std::string> files;
-  return files;
-}
-
-std::vector<fs::path>& loaded() {
-  static std::vector<fs::path> files;
-  return files;
-}
+// Of the whole program, as the catalogue of methods is.
+std::vector<std::string> given;
+std::vector<fs::path> loaded;
 
 void load_plugin(const fs::path& file) {
-  std::vector<MethodEntry> entries;
-  if (file.extension() == ".toml") {
-    entries.push_back(load_command_method(file));
-  } else {
-    entries = load_shared_plugin(file);
-  }
-  for (MethodEntry& entry : entries) {
+  const bool described = file.extension() == ".toml";
+  for (MethodEntry& entry : described ? std::vector{load_command_method(file)} : load_shared_plugin(file)) {
     try {
       add_method(std::move(entry));
     } catch (const InvalidOption& error) {
-      throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
+      throw UsageError("{}: {}", file.string(), error.what());
     }
   }
 }
 
 }  // namespace
 
-const std::vector<std::string>& given_plugins() { return given(); }
+const std::vector<std::string>& given_plugins() { return given; }
 
-const std::vector<fs::path>& loaded_plugins() { return loaded(); }
+const std::vector<fs::path>& loaded_plugins() { return loaded; }
 
 void load_plugins(const std::vector<std::string>& files) {
-  given() = files;
-  std::vector<fs::path>& plugins = loaded();
-  plugins.clear();
+  given = files;
+  loaded.clear();
   const auto add = [&](const std::string& file) {
     fs::path plugin = found(file);
-    if (std::ranges::find(plugins, plugin) == plugins.end()) plugins.push_back(std::move(plugin));
+    if (std::ranges::find(loaded, plugin) == loaded.end()) loaded.push_back(std::move(plugin));
   };
   for (const fs::path& file : plugins_on_path()) add(file.string());
   for (const std::string& file : files) add(file);
-  for (const fs::path& plugin : plugins) load_plugin(plugin);
+  for (const fs::path& plugin : loaded) load_plugin(plugin);
 }
 
 }  // namespace signorini

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse_name(std::string_view name, const std::string& requirement) {
-  throw UsageError(fmt::format("name = {} ({})", name, requirement));
+  throw UsageError("name = {} ({})", name, requirement);
 }
 
 void require_no_such_method(std::string_view name) {
@@ -181,9 +181,9 @@ std::string filled(std::string_view text, const Places& places) {
 Spellings spellings_of(std::string_view name) {
   if (!is_lower_kebab_case(name) || name.size() > kLongest || !is_small(name.front())) {
     throw UsageError(
-        fmt::format("name = {} (must be lower-kebab-case such as my-method, beginning with a letter, at most "
-                    "{} characters)",
-                    name, kLongest));
+        "name = {} (must be lower-kebab-case such as my-method, beginning with a letter, at most "
+        "{} characters)",
+        name, kLongest);
   }
   Spellings spellings{.name = std::string(name), .folder = std::string(name), .type = {}};
   std::ranges::replace(spellings.folder, '-', '_');

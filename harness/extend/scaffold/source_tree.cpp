@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <sstream>
 
 #include "harness/extend/scaffold/scaffold.hpp"
 #include "harness/failure.hpp"
@@ -13,13 +12,6 @@ namespace signorini {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 using TextLine = std::vector<std::string>::const_iterator;
 
@@ -80,7 +72,7 @@ std::optional<fs::path> header_declaring(const fs::path& tree, const std::string
 }
 
 std::string with_entry(const std::string& catalogue, const std::string& folder, const std::string& type) {
-  std::vector<std::string> lines = lines_of(catalogue);
+  std::vector<std::string> lines = split(catalogue, '\n');
   const std::string include = fmt::format("#include \"methods/{0}/{0}.hpp\"", folder);
   const TextLine entry_place = place_of_entry(lines);
   if (entry_place == lines.end())
@@ -91,7 +83,7 @@ std::string with_entry(const std::string& catalogue, const std::string& folder, 
   const std::string indent = neighbour.substr(0, neighbour.find_first_not_of(' '));
   lines.insert(entry_place, fmt::format("{}method_entry<{}>(),", indent, type));
   lines.insert(place_of_include(lines, include), include);
-  return joined(lines, "\n") + "\n";
+  return joined(lines, "\n");
 }
 
 }  // namespace signorini

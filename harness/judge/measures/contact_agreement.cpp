@@ -19,22 +19,20 @@ namespace signorini {
 
 namespace {
 
-constexpr double kTouching = 1e-6;           // of the unit of impulse
-constexpr double kHitting = 1e-3;            // of the unit of impulse
-constexpr double kClear = 1e-2;              // of the largest impulse of a contact
-constexpr double kWorstContact = 0.5;        // Distance::x_worst
-constexpr double kOwnForce = 0.06;           // ForceErrors::worst of an exact x
+constexpr double kTouching = 1e-6;  // of the unit of impulse
+constexpr double kHitting = 1e-3;   // of the unit of impulse
+constexpr double kClear = 1e-2;     // of the largest impulse of a contact
+constexpr double kOwnShare = 0.5;   // of its own motion, sharp force or impulse that a contact may be off
+constexpr double kOwnForce = 0.06;  // ForceErrors::worst of an exact x
 constexpr double kForcePerMotion = 4.0;      // more of it per error of x
 constexpr double kMostForce = 0.15;          // of it in all
 constexpr double kForceOfOne = 0.4;          // error of the force of a contact, of its own size
-constexpr double kSharpForce = 0.5;          // force_error_up_to
 constexpr double kOpen = 2.0;                // forcing periods per error of x that forces may be apart
 constexpr double kLeastShown = 1.0 / 256.0;  // forcing periods that forces may be apart in their instants
 constexpr double kRestitution = 0.1;         // of a coefficient of restitution
 constexpr double kStrongPhase = 0.25;        // of the largest impulse of a phase of its contact
 constexpr double kWeakPhase = 0.05;          // of the same
 constexpr double kFaintPhase = 0.01;         // of the same
-constexpr double kOwnImpulse = 0.5;          // of the impulse of a phase
 constexpr double kShownApart = 6.0;          // resolutions in time: a coarse answer is late by two or three
 constexpr double kLongestApart = 0.15;       // of the forcing period
 constexpr double kLate = 0.05;               // of the forcing period, what an x within 10 % may be late by
@@ -56,15 +54,9 @@ struct Touches {
   double largest;
 };
 
-/// A push of one contact, or several that the coarser of two motions shows as one.
-struct Push {
-  double begin = 0.0, end = 0.0;  // [s]
-  double impulse = 0.0;           // |J| [N s]
-};
-
 /// The pushes of one contact over so many periods of its motion, those closer than `apart` [s] as one.
-std::vector<Push> pushes_shown(const Motion& motion, int contact, double apart, int periods) {
-  std::vector<Push> shown;
+std::vector<ListedPush> pushes_shown(const Motion& motion, int contact, double apart, int periods) {
+  std::vector<ListedPush> shown;
   for (const ContactPhase& phase : contact_phases(motion)) {
     if (phase.contact != contact) continue;
     if (!shown.empty() && phase.begin - shown.back().end < apart) {
@@ -80,39 +72,39 @@ std::vector<Push> pushes_shown(const Motion& motion, int contact, double apart, 
     shown.front().begin = shown.back().begin - motion.period();
     shown.pop_back();
   }
-  const std::vector<Push> once = shown;
+  const std::vector<ListedPush> once = shown;
   for (int k = 1; k < periods; ++k) {
-    for (const Push& push : once)
+    for (const ListedPush& push : once)
       shown.push_back({push.begin + k * motion.period(), push.end + k * motion.period(), push.impulse});
   }
   return shown;
 }
 
 /// The pushes with at least a share of the largest one's impulse.
-std::vector<Push> above(const std::vector<Push>& pushes, double share) {
+std::vector<ListedPush> above(const std::vector<ListedPush>& pushes, double share) {
   double largest = 0.0;
-  for (const Push& push : pushes) largest = std::max(largest, push.impulse);
-  std::vector<Push> strong;
+  for (const ListedPush& push : pushes) largest = std::max(largest, push.impulse);
+  std::vector<ListedPush> strong;
   std::ranges::copy_if(pushes, std::back_inserter(strong),
-                       [&](const Push& push) { return push.impulse >= share * largest; });
+                       [&](const ListedPush& push) { return push.impulse >= share * largest; });
   return strong;
 }
 
 /// Whether the others push at most `late` [s] before or after each push, cyclically, and there with half of
 /// its impulse, `spared` [N s] aside.
-bool all_met(const std::vector<Push>& pushes, const std::vector<Push>& others, double late, double period,
-             double spared) {
-  return std::ranges::all_of(pushes, [&](const Push& push) {
+bool all_met(const std::vector<ListedPush>& pushes, const std::vector<ListedPush>& others, double late,
+             double period, double spared) {
+  return std::ranges::all_of(pushes, [&](const ListedPush& push) {
     bool any = false;
     double impulse = spared;
-    for (const Push& other : others) {
+    for (const ListedPush& other : others) {
       const double centres = 0.5 * (push.begin + push.end - other.begin - other.end);
       const double lengths = 0.5 * (push.end - push.begin + other.end - other.begin);
       if (std::abs(std::remainder(centres, period)) - lengths > late) continue;
       any = true;
       impulse += other.impulse;
     }
-    return any && impulse >= kOwnImpulse * push.impulse;
+    return any && impulse >= kOwnShare * push.impulse;
   });
 }
 
@@ -143,11 +135,11 @@ std::string phase_difference(const Motion& answer, const Motion& orbit, int cont
   if ((open == 0.0 && exact_open > apart) || (exact_open == 0.0 && open > apart))
     return fmt::format("contact {} opens on {} only", contact, open == 0.0 ? "the orbit" : "it");
   const int common = std::lcm(answer.order, orbit.order);
-  const std::vector<Push> found = pushes_shown(answer, contact, apart, common / answer.order);
-  const std::vector<Push> exact = pushes_shown(orbit, contact, apart, common / orbit.order);
-  const std::vector<Push> found_weak = above(found, kWeakPhase), exact_weak = above(exact, kWeakPhase);
-  const std::vector<Push> found_strong = above(found, kStrongPhase),
-                          exact_strong = above(exact, kStrongPhase);
+  const std::vector<ListedPush> found = pushes_shown(answer, contact, apart, common / answer.order);
+  const std::vector<ListedPush> exact = pushes_shown(orbit, contact, apart, common / orbit.order);
+  const std::vector<ListedPush> found_weak = above(found, kWeakPhase), exact_weak = above(exact, kWeakPhase);
+  const std::vector<ListedPush> found_strong = above(found, kStrongPhase),
+                                exact_strong = above(exact, kStrongPhase);
   if (found_strong.size() > exact_weak.size() || exact_strong.size() > found_weak.size())
     return fmt::format("contact {} pushes {} times in {} forcing periods, on the orbit {} times", contact,
                        found_weak.size(), common, exact_weak.size());
@@ -189,7 +181,7 @@ std::string force_difference(const Motion& answer, const Motion& orbit, const To
     coarse = std::min(coarse, 0.5 * answer.period() / std::max(1, *told));
   const double open = std::max(coarse, off * orbit.forcing_period);
   const Measure sharp = force_error_up_to(std::max(1.0, 0.5 * orbit.forcing_period / open), answer, orbit);
-  if (sharp && *sharp > kSharpForce)
+  if (sharp && *sharp > kOwnShare)
     return fmt::format("the contact force is off by {:.2g} at instants that it shows", *sharp);
   return {};
 }
@@ -249,7 +241,7 @@ ContactDifference contact_difference(const Problem& problem, const Motion& answe
   if (exact.none() && found.hits())
     return {.text = "it has a contact force, and the orbit has none", .contradicts = true};
   const Distance apart = distance(answer, orbit);
-  if (apart.x_worst.value_or(0.0) > kWorstContact) {
+  if (apart.x_worst.value_or(0.0) > kOwnShare) {
     return {.text = fmt::format("one of its contacts is off by {:.2g} of that contact's own motion",
                                 *apart.x_worst)};
   }

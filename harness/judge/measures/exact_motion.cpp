@@ -1,7 +1,6 @@
 #include "harness/judge/measures/exact_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>

@@ -86,9 +86,8 @@ struct ForceSpectra {
 
 /// Share of the period during which samples of the force push.
 double pushing_share(const Motion& motion, Eigen::Index contact) {
-  constexpr double kRoundOffOfForce = 1e-9;
   const auto force = motion.samples.force.col(contact).array();
-  return (force < -kRoundOffOfForce * force.abs().maxCoeff()).cast<double>().mean();
+  return (force < -kRoundOff * force.abs().maxCoeff()).cast<double>().mean();
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "harness/judge/measures/contact_response.hpp"
-#include "harness/judge/measures/contact_work.hpp"
 #include "harness/judge/measures/force_error.hpp"
 #include "harness/judge/measures/impacts.hpp"
 #include "methods/discretisation/fourier_series.hpp"
@@ -50,7 +49,6 @@ Eigen::MatrixXcd series_difference(const Eigen::MatrixXcd& a, const Eigen::Matri
 /// harmonics of the responses to the difference of the forces and to the orbit's: both from one factorisation
 /// of each Z_n; harmonics without force have no response.
 Measure field_error(const Problem& problem, const Motion& answer, const Motion& orbit) {
-  constexpr double kRoundOff = 1e-9;  // of u, below which its motion is no size
   if (problem.size() <= problem.contact_count() || problem.size() > kLargestField) return std::nullopt;
   const int order = std::lcm(answer.order, orbit.order);
   const Eigen::MatrixXcd found =
@@ -241,6 +239,15 @@ EnergyDefect energy_defect(const Problem& problem, const RepresentedLaw& law, co
   return {.value = std::abs(missed) / std::abs(work)};
 }
 
+/// (x'_- + x'_+) / 2 at an impulse; of one side where the other cannot be told, 0 where neither can.
+double mean_speed(const SpeedsBeside& speeds, double restitution) {
+  const auto& [before, after] = speeds;
+  if (before && after) return 0.5 * (*before + *after);
+  if (before) return 0.5 * (1.0 - restitution) * *before;
+  if (after && restitution > 0.0) return 0.5 * (1.0 - 1.0 / restitution) * *after;
+  return 0.0;
+}
+
 }  // namespace
 
 Errors measure_errors(const Problem& problem, const Motion& answer, const Motion& orbit,
@@ -278,7 +285,7 @@ double expected_loss(const Motion& motion, double restitution, const Eigen::Matr
       if (restitution < 1.0) loss += 0.5 * v * v / delassus(phase.contact, phase.contact);
       continue;
     }
-    const double window = phase.listed ? 1e-9 * motion.period() : together;
+    const double window = phase.listed ? kRoundOff * motion.period() : together;
     if (phase.begin - last > window) finish();
     impulse[phase.contact] += phase.impulse;
     last = phase.end;
@@ -306,6 +313,21 @@ Physics measure_physics(const Problem& problem, const RepresentedLaw& law, const
   physics.contact_ratio = contact_ratio(answer);
   physics.effective_restitution = restitutions(answer);
   return physics;
+}
+
+double contact_work(const Motion& motion, const RepresentedLaw& law, const Eigen::VectorXd& gaps) {
+  Eigen::ArrayXXd force = motion.samples.force.array();
+  for (Eigen::Index c = 0; c < force.cols(); ++c) {
+    const ContactLaw own = law_of_contact(law, static_cast<int>(c));
+    if (const auto* spring = std::get_if<Spring>(&own))
+      force.col(c) += spring->stiffness * (motion.samples.x.col(c).array() - gaps[c]).max(0.0);
+  }
+  double work = motion.step() * (force * motion.samples.velocity.array()).sum();
+  const std::vector<SpeedsBeside> speeds = speeds_beside_impulses(motion);
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    work += motion.impulses[i].value *
+            mean_speed(speeds[i], restitution_of(law_of_contact(law, motion.impulses[i].contact)));
+  return work;
 }
 
 }  // namespace signorini

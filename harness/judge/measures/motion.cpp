@@ -23,8 +23,6 @@ constexpr double kLeastSize = 0.1;
 constexpr double kAtRest = 1e-8;
 /// Share of the unit of all contacts that the unit of one is at least.
 constexpr double kLeastContact = 0.01;
-/// Digits of x that round-off may have taken, relative to the largest |x|.
-constexpr double kRoundOff = 1e-9;
 
 /// The size of what varies: values less the mean of their column.
 struct Size {
@@ -81,8 +79,6 @@ Eigen::MatrixXcd sampled_spectrum(const Motion& motion, int count) {
   return force_spectrum(motion.samples.force(Eigen::seqN(0, motion.count() / step, step), Eigen::all),
                         motion.impulses, motion.period(), count);
 }
-
-Eigen::Index per_period(const Motion& motion) { return motion.samples.x.rows() / motion.order; }
 
 /// Root mean square about the mean; 0 where there is no such motion, or nothing but rounding moves.
 double varying_size(const std::optional<Eigen::MatrixXd>& motion) {
@@ -273,7 +269,7 @@ Eigen::VectorXd impulse_per_forcing_period(const Motion& motion) {
 }
 
 Distance distance(const Motion& a, const Motion& b, int shift) {
-  const Eigen::Index offset = shift * per_period(b);
+  const Eigen::Index offset = shift * b.per_period();
   const double least = std::max(a.least, b.least);
   const Size x(b.samples.x), velocity(b.samples.velocity);
   const double moving = std::sqrt(x.mean_square), at_rest = std::max(least, x.round_off);
@@ -308,7 +304,7 @@ int best_shift(const Motion& a, const Motion& b) {
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < b.order; ++shift) {
-    const double apart = difference(a.samples.x, b.samples.x, shift * per_period(b)).mean_square();
+    const double apart = difference(a.samples.x, b.samples.x, shift * b.per_period()).mean_square();
     if (apart < least) {
       least = apart;
       best = shift;

@@ -22,6 +22,9 @@ inline constexpr int kMeasuredHarmonics = 512;
 /// Two motions of one orbit agree to this, as `distance` measures x; distinct orbits do not.
 inline constexpr double kSameOrbit = 1e-6;
 
+/// Digits that round-off may have taken of a signal, relative to its largest value: what is less is nothing.
+inline constexpr double kRoundOff = 1e-9;
+
 /// One period of a motion at kGrid instants per forcing period. An answer is sampled once; all that is
 /// measured on it is taken from here.
 struct Motion {
@@ -46,6 +49,7 @@ struct Motion {
 
   [[nodiscard]] double period() const { return order * forcing_period; }
   [[nodiscard]] int count() const { return static_cast<int>(samples.x.rows()); }
+  [[nodiscard]] int per_period() const { return count() / order; }  ///< instants of a forcing period
   [[nodiscard]] double step() const { return period() / count(); }
 };
 

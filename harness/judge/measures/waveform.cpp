@@ -15,8 +15,6 @@ constexpr int kDrawnGrid = 2048;
 
 enum Signal : Eigen::Index { kX, kVelocity, kForce, kImpulse, kSignals };
 
-int rows_per_period(const Motion& motion) { return motion.count() / motion.order; }
-
 /// Impulse given since row 0, of one contact: trapezoids of the force, jumps of the impulses.
 Eigen::VectorXd accumulated(const Motion& motion, int contact) {
   const Eigen::Index count = motion.count();
@@ -39,7 +37,7 @@ Eigen::VectorXd accumulated(const Motion& motion, int contact) {
 /// All signals of one contact over `periods` forcing periods, ends included.
 Eigen::MatrixXd signals_of(const Motion& motion, int contact, int periods) {
   const Eigen::Index count = motion.count();
-  const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion);
+  const Eigen::Index rows = static_cast<Eigen::Index>(periods) * motion.per_period();
   const Eigen::VectorXd total = accumulated(motion, contact);
   const auto given = [&](Eigen::Index row) {
     const Eigen::Index rounds = row / count;
@@ -68,9 +66,9 @@ std::vector<double> rounded_at(const Eigen::Ref<const Eigen::VectorXd>& values,
 
 /// Impulses are summed over all samples, so that a force between two instants that are drawn is counted once.
 Waveform draw(const Motion& motion, const std::vector<int>& contacts, int periods, double tolerance) {
-  const int every = std::max(1, rows_per_period(motion) / kDrawnGrid);
+  const int every = std::max(1, motion.per_period() / kDrawnGrid);
   const auto kept = static_cast<Eigen::Index>(contacts.size());
-  const Eigen::Index rows = static_cast<Eigen::Index>(periods) * rows_per_period(motion) / every + 1;
+  const Eigen::Index rows = static_cast<Eigen::Index>(periods) * motion.per_period() / every + 1;
   Eigen::MatrixXd signals(rows, kept * kSignals);
   for (Eigen::Index c = 0; c < kept; ++c)
     signals.middleCols(c * kSignals, kSignals) = signals_of(motion, contacts[static_cast<std::size_t>(c)],
@@ -107,7 +105,6 @@ std::vector<int> contacts_drawn(const Motion& motion) {
 
 std::vector<int> polyline(const Eigen::MatrixXd& signals, double tolerance) {
   // A signal that changes by round-off only counts as constant.
-  constexpr double kRoundOff = 1e-9;
   const Eigen::RowVectorXd range = (signals.colwise().maxCoeff() - signals.colwise().minCoeff())
                                        .cwiseMax(kRoundOff * signals.cwiseAbs().colwise().maxCoeff());
   const int last = static_cast<int>(signals.rows()) - 1;

@@ -16,7 +16,6 @@
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
-#include "harness/isolation/temporary_folder.hpp"
 #include "harness/schematic/drawing.hpp"
 
 namespace signorini {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "harness/records/response_fields.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/report/document/lines.hpp"
 #include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/page/page_parts.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "harness/records/response_fields.hpp"
+#include "harness/records/record_json.hpp"
 #include "harness/report/document/cells.hpp"
 #include "harness/report/evaluation/response_standings.hpp"
 #include "harness/report/sections/sections.hpp"

@@ -1,7 +1,6 @@
-#include "harness/compare/response_change.hpp"
-
 #include <gtest/gtest.h>
 
+#include "harness/compare/comparison.hpp"
 #include "tests/harness/responses/sample_responses.hpp"
 
 namespace signorini::response_change_test {

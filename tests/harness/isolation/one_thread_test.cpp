@@ -1,7 +1,5 @@
 // Where Debian has put a BLAS with threads before the serial one, as it does with numpy or Octave installed.
 
-#include "harness/isolation/one_thread.hpp"
-
 #include <cblas.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "harness/isolation/isolation.hpp"
+#include "harness/isolation/process_state.hpp"
 
 namespace signorini::one_thread_test {
 namespace {

@@ -1,10 +1,10 @@
 // Programs of the machine that are run for what they print.
 
-#include "harness/isolation/program_run.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstddef>
+
+#include "harness/isolation/child_process.hpp"
 
 namespace signorini::program_run_test {
 namespace {

@@ -1,10 +1,9 @@
-#include "harness/judge/equation_defect.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
+#include "harness/judge/certificate.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "tests/harness/fake_method.hpp"
 #include "tests/support/accuracy.hpp"

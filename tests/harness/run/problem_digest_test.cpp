@@ -1,4 +1,4 @@
-#include "harness/run/problem_digest.hpp"
+#include "harness/run/runner.hpp"
 
 #include <gtest/gtest.h>
 

@@ -164,8 +164,7 @@ TEST(TakeLaterRound, CountsTheFailureOfALaterRoundAgainstTheCase) {
 
   record = begun;
   record.elapsed = 1.0;
-  take_later_round({.lines = {R"({"setup": 0.03, "solve": 0.07, "answer": "0123"})"}, .seconds = 0.5},
-                   record);
+  take_later_round({.lines = {R"({"times": [0.03, 0.07], "answer": "0123"})"}, .seconds = 0.5}, record);
   EXPECT_EQ(record.status, Status::converged);
   EXPECT_EQ(record.seconds.value().repetitions, 2);
   EXPECT_EQ(record.seconds->setup, 0.02);

@@ -18,17 +18,15 @@ std::vector<Record> stages_of(const std::string& behaviour, bool certified = tru
   const Limits limits{.timeout = 5.0, .repetitions = 1, .certificate_timeout = certificate};
   const Reference none{.reason = "not asked for"};
   const OrbitTools orbits(test::free_orbits());
-  const Trial trial{.scene = scene,
-                    .planned_case = planned_case,
-                    .limits = limits,
-                    .law = as_represented(scene.problem.law()),
-                    .reference = none,
-                    .scene_reference = none,
-                    .orbits = orbits,
-                    .samples = samples,
-                    .timed = false,
-                    .certified = certified,
-                    .measured = measured};
+  const Trial trial{
+      .scene = scene,
+      .planned_case = planned_case,
+      .limits = limits,
+      .law = as_represented(scene.problem.law()),
+      .reference = none,
+      .scene_reference = none,
+      .orbits = orbits,
+      .extras = {.samples = samples, .timed = false, .certified = certified, .measured = measured}};
   std::vector<Record> records;
   Record record;
   record.law = trial.law;

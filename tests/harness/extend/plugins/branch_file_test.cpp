@@ -1,4 +1,4 @@
-#include "harness/extend/plugins/branch_file.hpp"
+#include "harness/extend/plugins/curve_exchange.hpp"
 
 #include <gtest/gtest.h>
 

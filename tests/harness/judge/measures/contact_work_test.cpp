@@ -1,4 +1,3 @@
-#include "harness/judge/measures/contact_work.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "harness/isolation/temporary_folder.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
+
+#include "harness/files.hpp"
 
 namespace signorini::temporary_folder_test {
 namespace {
