@@ -24,23 +24,19 @@ struct SameEquations {
 
 /// A method as the harness sees it before any scene: how to name it, describe it, make one.
 struct MethodEntry {
-  std::string name;         ///< lower-kebab-case
-  std::string title;        ///< one line for people
-  std::string laws;         ///< laws it can represent, for `list`
-  std::string ladder;       ///< resolutions a benchmark runs, "key=v1|v2|v3"
-  std::string limits = {};  ///< what it cannot do, in sentences for people; empty: nothing is said
-  /// Settings, "key=v1|v2", from which cold starts lead to orbits that no step of the ladder leads to: tried
-  /// in searches for all orbits of a scene only; empty: none
-  std::string starts = {};
-  /// p of error of x ~ h^p, h the step that the ladder refines, on motions with impacts; empty: none is
-  /// claimed [-]
-  std::optional<double> order = {};
+  std::string name;                  ///< lower-kebab-case
+  std::string title;                 ///< one line for people
+  std::string laws;                  ///< laws it can represent, for `list`
+  std::string ladder;                ///< this and what follows as MethodText has it
+  std::string limits = {};           ///< empty: nothing is said
+  std::string starts = {};           ///< empty: none
+  std::optional<double> order = {};  ///< empty: none is claimed [-]
   /// Whose equations it solves too, wherever the options that both have are equal: an answer that agrees with
   /// theirs confirms nothing.
   std::vector<SameEquations> same_equations = {};
   /// \throws InvalidOption
   std::function<std::unique_ptr<Method>(std::span<const OptionSetting> settings)> make;
-  bool exact = false;       ///< its motions are exact orbits, and curves of others are judged by its own
+  bool exact = false;       ///< as MethodText has it
   std::string plugin = {};  ///< SHA-256 of the files that a method of a plugin consists of; else empty
   std::string untimed =
       {};  ///< why its times would mean nothing, as of a plugin without optimiser; else empty
@@ -48,30 +44,30 @@ struct MethodEntry {
 
 template <class M>
 concept RegistrableMethod = std::derived_from<M, Method> && requires(typename M::Options options) {
-  { M::kName } -> std::convertible_to<std::string_view>;
-  { M::kTitle } -> std::convertible_to<std::string_view>;
-  { M::kLaws } -> std::convertible_to<std::string_view>;
-  { M::kLadder } -> std::convertible_to<std::string_view>;
+  { M::kText } -> std::convertible_to<MethodText>;
+  requires !M::kText.name.empty() && !M::kText.title.empty();
+  requires !M::kText.laws.empty() && !M::kText.ladder.empty();
   M(options);
 };
 
-/// The catalogue entry of a method class: its constructor validates the options it is given. What a class
-/// need not say it says by members of its own: `kLimits`, `kStarts`, `kOrder`, `kSameEquations`, `kExact`.
+/// The catalogue entry of a method class: its constructor validates the options it is given. Which equations
+/// of others it solves too a class may say by a member `kSameEquations`.
 template <RegistrableMethod M>
 MethodEntry method_entry() {
-  MethodEntry entry{.name = std::string(M::kName),
-                    .title = std::string(M::kTitle),
-                    .laws = std::string(M::kLaws),
-                    .ladder = std::string(M::kLadder),
+  const MethodText& text = M::kText;
+  MethodEntry entry{.name = std::string(text.name),
+                    .title = std::string(text.title),
+                    .laws = std::string(text.laws),
+                    .ladder = std::string(text.ladder),
+                    .limits = std::string(text.limits),
+                    .starts = std::string(text.starts),
+                    .order = text.order,
                     .make = [](std::span<const OptionSetting> settings) -> std::unique_ptr<Method> {
                       typename M::Options options;
-                      apply_settings(options, settings);
+                      apply_settings(options, settings, M::kText.former);
                       return std::make_unique<M>(options);
-                    }};
-  if constexpr (requires { M::kLimits; }) entry.limits = M::kLimits;
-  if constexpr (requires { M::kStarts; }) entry.starts = M::kStarts;
-  if constexpr (requires { M::kOrder; }) entry.order = M::kOrder;
-  if constexpr (requires { M::kExact; }) entry.exact = M::kExact;
+                    },
+                    .exact = text.exact};
   if constexpr (requires { M::kSameEquations; })
     for (const auto& [option, value, method] : M::kSameEquations)
       entry.same_equations.push_back({std::string(option), std::string(value), std::string(method)});

@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,6 +15,24 @@
 #include "problems/problem.hpp"
 
 namespace signorini {
+
+/// What a method class says of itself, by a member `static constexpr MethodText kText`: the first four at
+/// least.
+struct MethodText {
+  std::string_view name;         ///< lower-kebab-case
+  std::string_view title;        ///< one line for people
+  std::string_view laws = {};    ///< laws it can represent, for `list`
+  std::string_view ladder = {};  ///< resolutions a benchmark runs, "key=v1|v2|v3"
+  std::string_view limits = {};  ///< what it cannot do, in sentences for people; empty: nothing is said
+  /// Settings, "key=v1|v2", from which cold starts lead to orbits that no step of the ladder leads to: tried
+  /// in searches for all orbits of a scene only; empty: none
+  std::string_view starts = {};
+  /// p of error of x ~ h^p, h the step that the ladder refines, on motions with impacts; empty: none is
+  /// claimed [-]
+  std::optional<double> order = {};
+  bool exact = false;  ///< its motions are exact orbits, and curves of others are judged by its own
+  std::span<const FormerOption> former = {};  ///< options that it no longer has
+};
 
 /// The impact law is not determined by the method's equations (see docs/theory.md).
 struct Undetermined {

@@ -43,6 +43,12 @@ using OptionSetting = std::pair<std::string, std::string>;
 /// The value of an option in a form that records keep; monostate: "auto", chosen by the method.
 using OptionValue = std::variant<std::monostate, bool, long, double, std::string>;
 
+/// An option that a method no longer has.
+struct FormerOption {
+  std::string_view name;  ///< as --set took it
+  std::string_view said;  ///< to who sets it
+};
+
 /// One option as shown to a user and echoed into records.
 struct OptionEcho {
   std::string name;     ///< as --set takes it
@@ -105,25 +111,16 @@ OptionValue echo_of(const T& field) {
   }
 }
 
-/// What an option struct says of an option that it no longer has, by its member `kFormer`: pairs of a name
-/// and what is said; empty where it says nothing.
-template <class Options>
-std::string_view said_of_former(std::string_view key) {
-  if constexpr (requires { Options::kFormer; }) {
-    for (const auto& [name, said] : Options::kFormer)
-      if (name == key) return said;
-  }
-  return {};
-}
-
 }  // namespace option_detail
 
 /// Applies settings to an option struct, in order.
+/// \param former  options of which more is said than that they are unknown
 /// \throws InvalidOption on an unknown key (listing the known ones, or saying what became of it) or an
 /// unreadable value.
 /// Ranges are checked by the method's constructor, which sees all options together.
 template <class Options>
-void apply_settings(Options& options, std::span<const OptionSetting> settings) {
+void apply_settings(Options& options, std::span<const OptionSetting> settings,
+                    std::span<const FormerOption> former = {}) {
   for (const OptionSetting& setting : settings) {
     const std::string& key = setting.first;
     const std::string& text = setting.second;
@@ -138,9 +135,9 @@ void apply_settings(Options& options, std::span<const OptionSetting> settings) {
       }
     });
     if (known) continue;
-    const std::string_view former = option_detail::said_of_former<Options>(key);
-    throw InvalidOption(
-        option_detail::refuse(key, text, former.empty() ? "unknown option; known: " + names : former));
+    for (const FormerOption& option : former)
+      if (option.name == key) throw InvalidOption(option_detail::refuse(key, text, option.said));
+    throw InvalidOption(option_detail::refuse(key, text, "unknown option; known: " + names));
   }
 }
 

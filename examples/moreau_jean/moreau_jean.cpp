@@ -107,10 +107,10 @@ class Anderson {
 /// N + 2, ...
 class MoreauJean final : public signorini::Method {
  public:
-  static constexpr std::string_view kName = "moreau-jean";
-  static constexpr std::string_view kTitle = "Moreau-Jean time stepping until the motion repeats";
-  static constexpr std::string_view kLaws = "restitution 0..1";
-  static constexpr std::string_view kLadder = "steps=256|1024|4096";
+  static constexpr signorini::MethodText kText{.name = "moreau-jean",
+                                               .title = "Moreau-Jean time stepping until the motion repeats",
+                                               .laws = "restitution 0..1",
+                                               .ladder = "steps=256|1024|4096"};
 
   struct Options {
     int steps = 1024;    ///< N per period of the motion [-]

@@ -27,8 +27,8 @@ class AftHbm final : public FollowedMethod {
  public:
   enum class ContactLaw { dlft, penalty };
 
-  static constexpr std::string_view kName = "aft-hbm";
-  static constexpr std::string_view kTitle = "Alternating frequency/time harmonic balance, Newton-Krylov";
+  static constexpr MethodText kText =
+      completed({.name = "aft-hbm", .title = "Alternating frequency/time harmonic balance, Newton-Krylov"});
 
   /// With this value of an option, the equations are those of this method.
   static constexpr std::array<std::array<std::string_view, 3>, 2> kSameEquations{
@@ -41,13 +41,11 @@ class AftHbm final : public FollowedMethod {
     std::optional<Scaled> penalty = {};  ///< of penalty: eps > 0 [N/m], or times contact_stiffness_scale
     std::optional<bool> homotopy = {};   ///< false: Newton alone
 
-    static constexpr auto kFormer = kOptionsOfClosure;
-
     void visit(auto&& field) {
       const auto contact_law = [&] {
         field("law", law, "[-]", "dlft (dynamic Lagrangian, has c) | penalty (has penalty)");
-        field("c", c, "[-]", kConstantText);
-        field("penalty", penalty, "[N/m]", kPenaltyText);
+        field("c", c, "[-]", kMeanings.constant);
+        field("penalty", penalty, "[N/m]", kMeanings.penalty);
       };
       const auto solver = [&] {
         field("homotopy", homotopy, "[-]",

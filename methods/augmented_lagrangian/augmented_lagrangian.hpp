@@ -2,7 +2,6 @@
 // Augmented Lagrangian harmonic balance: a penalty inside, a multiplier that takes its error back outside.
 
 #include <optional>
-#include <string_view>
 
 #include "methods/complementarity/projected_law.hpp"
 #include "methods/harmonic_balance/projected_method.hpp"
@@ -19,11 +18,13 @@ namespace signorini {
 /// `plain` is the literature's form: updates as they stand, from rising penalties.
 class AugmentedLagrangian final : public ProjectedMethod {
  public:
-  static constexpr std::string_view kName = "augmented-lagrangian";
-  static constexpr std::string_view kTitle = "Harmonic balance with a penalty and updates of a multiplier";
-  static constexpr std::string_view kLimits =
-      "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
-      "harmonics, 1 % some 300. Follows no curve in sweep.";
+  static constexpr MethodText kText = completed(
+      {.name = "augmented-lagrangian",
+       .title = "Harmonic balance with a penalty and updates of a multiplier",
+       .limits =
+           "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes "
+           "some 40 harmonics, 1 % some 300. Follows no curve in sweep.",
+       .former = kOptionsOfClosure});
 
   struct Options {
     std::optional<int> harmonics = {};   ///< H >= 1 [-]
@@ -33,14 +34,12 @@ class AugmentedLagrangian final : public ProjectedMethod {
     int max_iterations = 0;              ///< Newton steps; 0: not limited [-]
     bool plain = false;                  ///< as the literature does it
 
-    static constexpr auto kFormer = kOptionsOfClosure;
-
     void visit(auto&& field) {
-      field("harmonics", harmonics, "[-]", kHarmonicsText);
+      field("harmonics", harmonics, "[-]", kMeanings.harmonics);
       field("penalty", penalty, "[N/m]",
             "rho, 1e6 or 100x the contact's stiffness; auto: 32x the dynamic one near H, a spring's own");
       field("max_updates", max_updates, "[-]", "limit on updates of the multiplier, 1..100000");
-      field("tolerance", tolerance, "[-]", kToleranceText);
+      field("tolerance", tolerance, "[-]", kMeanings.tolerance);
       field("max_iterations", max_iterations, "[-]",
             "limit on Newton steps, asked for between updates; 0: none");
       field("plain", plain, "[-]",

@@ -26,15 +26,15 @@ class ClosedHbm final : public ProjectedMethod {
  public:
   enum class ImpactLaw { scene, none };
 
-  static constexpr std::string_view kName = "closed-hbm";
-  static constexpr std::string_view kTitle =
-      "Harmonic balance whose impacts are closed: their law asked of all harmonics";
-  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
-  static constexpr std::string_view kLimits =
-      "On a rigid stop impacts must be separate: contact that lasts, sticks or chatters is refused. At "
-      "impacts the error of x falls like H^-3/2: 1e-3 takes some 60 harmonics, 1e-6 some 6000. Follows no "
-      "curve in sweep.";
-  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
+  static constexpr MethodText kText = completed(
+      {.name = "closed-hbm",
+       .title = "Harmonic balance whose impacts are closed: their law asked of all harmonics",
+       .laws = "restitution 0..1, penalty, massless",
+       .limits =
+           "On a rigid stop impacts must be separate: contact that lasts, sticks or chatters is refused. At "
+           "impacts the error of x falls like H^-3/2: 1e-3 takes some 60 harmonics, 1e-6 some 6000. Follows "
+           "no curve in sweep.",
+       .order = 1.0});
 
   struct Options {
     std::optional<int> harmonics = {};         ///< H >= 1 [-]
@@ -44,13 +44,13 @@ class ClosedHbm final : public ProjectedMethod {
     int max_iterations = 0;  ///< pivots and Newton steps in all; 0: the solver's own limit [-]
 
     void visit(auto&& field) {
-      field("harmonics", harmonics, "[-]", kHarmonicsText);
+      field("harmonics", harmonics, "[-]", kMeanings.harmonics);
       field("c", c, "[-]",
             "constant c > 0 times the contact's stiffness; auto: 32x the dynamic one near H at impacts, else "
             "4x, in series with a spring of the scene");
       field("restitution", restitution, "[-]",
             "at which impacts on rigid stops are closed: scene | none (restitution 1)");
-      field("tolerance", tolerance, "[-]", kToleranceText);
+      field("tolerance", tolerance, "[-]", kMeanings.tolerance);
       field("max_iterations", max_iterations, "[-]", "limit on pivots and Newton steps; 0: the solvers' own");
     }
   };

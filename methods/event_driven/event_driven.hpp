@@ -25,14 +25,14 @@ class EventDriven final : public Method {
  public:
   enum class Steady { marching, shooting };
 
-  static constexpr std::string_view kName = "event-driven";
-  static constexpr std::string_view kTitle =
-      "CVODE or closed-form flow between events, impact law at events, to the steady state";
-  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
-  static constexpr std::string_view kLimits =
-      "Finds the stable motion that the start leads to (with steady=shooting others too); light damping "
-      "takes thousands of periods. flow=modal: at most 300 coordinates.";
-  static constexpr std::string_view kLadder = "flow=cvode|modal,tolerance=1e-6|1e-9";
+  static constexpr MethodText kText{
+      .name = "event-driven",
+      .title = "CVODE or closed-form flow between events, impact law at events, to the steady state",
+      .laws = "restitution 0..1, penalty, massless",
+      .ladder = "flow=cvode|modal,tolerance=1e-6|1e-9",
+      .limits =
+          "Finds the stable motion that the start leads to (with steady=shooting others too); light damping "
+          "takes thousands of periods. flow=modal: at most 300 coordinates."};
 
   struct Options {
     double tolerance = 1e-9;  ///< relative error aimed at, in [1e-13, 1e-3] [-]

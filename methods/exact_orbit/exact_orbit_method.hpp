@@ -2,7 +2,6 @@
 // Exact periodic orbits from a cold start: pivoting on a coarse grid, then Newton on the closed-form flow.
 
 #include <optional>
-#include <string_view>
 
 #include "methods/curve.hpp"
 #include "methods/method.hpp"
@@ -27,15 +26,17 @@ namespace signorini {
 /// `restarts` do not matter then.
 class ExactOrbitMethod final : public Method, public CurveMethod {
  public:
-  static constexpr std::string_view kName = "exact-orbit";
-  static constexpr std::string_view kTitle = "Coarse pivoting, then Newton on the exact flow between events";
-  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless";
-  static constexpr std::string_view kLimits =
-      "At most 300 coordinates, beyond that only massless contacts or springs with proportional damping. A "
-      "coarse solve must show the sequence of events: it may fail near grazing and at many short contacts.";
-  static constexpr std::string_view kLadder = "samples=64|256";
-  static constexpr bool kExact = true;  ///< its curves are what others are judged by
-  static constexpr std::string_view kStarts = "samples=16|32|128|1024";
+  static constexpr MethodText kText{
+      .name = "exact-orbit",
+      .title = "Coarse pivoting, then Newton on the exact flow between events",
+      .laws = "restitution 0..1, penalty, massless",
+      .ladder = "samples=64|256",
+      .limits =
+          "At most 300 coordinates, beyond that only massless contacts or springs with proportional damping. "
+          "A coarse solve must show the sequence of events: it may fail near grazing and at many short "
+          "contacts.",
+      .starts = "samples=16|32|128|1024",
+      .exact = true};
 
   struct Options {
     int samples = 64;          ///< N >= 8 nodes of the coarse solve per period, more where the load asks [-]

@@ -2,7 +2,6 @@
 // Fourier Lipschitz harmonic balance: Signorini's condition as one Lipschitz equation, projected.
 
 #include <optional>
-#include <string_view>
 
 #include "methods/harmonic_balance/projected_method.hpp"
 
@@ -22,21 +21,19 @@ namespace signorini {
 /// `plain=true,solver=pivoting` the literature's equations are solved from a cold start too.
 class FourierLipschitz final : public FollowedMethod {
  public:
-  static constexpr std::string_view kName = "fourier-lipschitz";
-  static constexpr std::string_view kTitle =
-      "Harmonic balance on the Lipschitz form of Signorini's condition";
+  static constexpr MethodText kText =
+      completed({.name = "fourier-lipschitz",
+                 .title = "Harmonic balance on the Lipschitz form of Signorini's condition"});
 
   struct Options {
     HarmonicOptions common = {};
     std::optional<double> c = {};  ///< > 0, times contact_stiffness_scale [-]
     ComplementaritySolver solver = ComplementaritySolver::automatic;
 
-    static constexpr auto kFormer = kOptionsOfClosure;
-
     void visit(auto&& field) {
       common.visit(
-          field, [&] { field("c", c, "[-]", kConstantText); },
-          [&] { field("solver", solver, "[-]", kSolverText); });
+          field, [&] { field("c", c, "[-]", kMeanings.constant); },
+          [&] { field("solver", solver, "[-]", kMeanings.solver); });
     }
   };
 

@@ -44,21 +44,24 @@ inline constexpr int kMostHarmonics = 640;
 inline constexpr int kSampledPerHarmonic = 32;
 
 /// What options of several methods mean.
-inline constexpr std::string_view kHarmonicsText =
-    "highest harmonic H kept, 1..100000; auto: 20 or what the load needs, and twice as many, up to 640, "
-    "until two agree; the first number if plain, or with a solver, a grid or a limit";
-inline constexpr std::string_view kConstantText =
-    "constant c > 0 of the Lipschitz form, times the contact's stiffness; auto: 4x the dynamic one near H, "
-    "in series with a spring of the scene; plain 1x the static one, 1e5x by pivots";
-inline constexpr std::string_view kPenaltyText =
-    "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one near H, "
-    "stiffer if massless; plain 100x the static one, 1e5x by pivots";
-inline constexpr std::string_view kSolverText =
-    "auto (pivoting with restarts; newton if plain) | pivoting | newton";
-inline constexpr std::string_view kToleranceText = "relative complementarity residual accepted, in (0, 1e-2]";
+struct OptionMeanings {
+  std::string_view harmonics, constant, penalty, solver, tolerance;  ///< of the options of these names
+};
+inline constexpr OptionMeanings kMeanings{
+    .harmonics =
+        "highest harmonic H kept, 1..100000; auto: 20 or what the load needs, and twice as many, up to 640, "
+        "until two agree; the first number if plain, or with a solver, a grid or a limit",
+    .constant =
+        "constant c > 0 of the Lipschitz form, times the contact's stiffness; auto: 4x the dynamic one near "
+        "H, in series with a spring of the scene; plain 1x the static one, 1e5x by pivots",
+    .penalty =
+        "stiffness of the stop, 1e6 or 100x the contact's; auto: the scene's, else 8x the dynamic one near "
+        "H, stiffer if massless; plain 100x the static one, 1e5x by pivots",
+    .solver = "auto (pivoting with restarts; newton if plain) | pivoting | newton",
+    .tolerance = "relative complementarity residual accepted, in (0, 1e-2]"};
 
-/// Options that methods of harmonic balance no longer have, and what is said to who sets them.
-inline constexpr std::array<std::array<std::string_view, 2>, 2> kOptionsOfClosure{
+/// Options that methods of harmonic balance no longer have.
+inline constexpr std::array<FormerOption, 2> kOptionsOfClosure{
     {{"compensate", "unknown option: impacts stay as the series has them; the method closed-hbm closes them"},
      {"restitution",
       "unknown option: rigid stops have restitution 1; the method closed-hbm has the scene's"}}};
@@ -75,7 +78,7 @@ struct HarmonicOptions {
 
   /// Visits all options in the order in which users see them; `law` and `solver` visit the method's own.
   void visit(auto&& field, auto&& law, auto&& solver) {
-    field("harmonics", harmonics, "[-]", kHarmonicsText);
+    field("harmonics", harmonics, "[-]", kMeanings.harmonics);
     field("samples", samples, "[-]",
           "N per period, >= 2 H + 1; auto: no grid beyond 20 harmonics, else 8 H or finer (sampled: 32 H)");
     law();
@@ -85,7 +88,7 @@ struct HarmonicOptions {
     solver();
     field("continuation", continuation, "[-]",
           "if plain: none | frequency: in steps of the load's frequency, from where nothing touches");
-    field("tolerance", tolerance, "[-]", kToleranceText);
+    field("tolerance", tolerance, "[-]", kMeanings.tolerance);
     field("max_iterations", max_iterations, "[-]", "limit on pivots or Newton steps; 0: the solver's own");
     field("plain", plain, "[-]", "true: the literature's form and constants; sets what is left at auto");
   }

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <string_view>
 
 #include "methods/curve.hpp"
 #include "methods/harmonic_balance/harmonic_setup.hpp"
@@ -17,9 +16,6 @@ namespace signorini {
 /// harmonics and what it does on a grid of samples.
 class ProjectedMethod : public Method {
  public:
-  static constexpr std::string_view kLaws = "restitution 1; penalty; massless";  ///< for `list`
-  static constexpr std::string_view kLadder = "harmonics=10|40|160";             ///< of a benchmark
-
   /// Scenes whose load its harmonics and samples carry.
   [[nodiscard]] Support supports(const Problem& problem) const override;
   /// Of each contact the scene's own if it is conservative, restitution 1 on a rigid stop; a penalty asked
@@ -31,6 +27,13 @@ class ProjectedMethod : public Method {
   /// \param penalty  asked for in place of a spring of the scene
   /// \throws InvalidOption
   explicit ProjectedMethod(const HarmonicOptions& common, const std::optional<Scaled>& penalty = {});
+
+  /// What a method says of itself, with the laws and the ladder of all where it has none of its own.
+  static constexpr MethodText completed(MethodText text) {
+    if (text.laws.empty()) text.laws = "restitution 1; penalty; massless";
+    if (text.ladder.empty()) text.ladder = "harmonics=10|40|160";
+    return text;
+  }
 
   /// The options that all share.
   [[nodiscard]] const HarmonicOptions& common() const { return common_; }
@@ -45,11 +48,6 @@ class ProjectedMethod : public Method {
 /// One that follows curves of its equations.
 class FollowedMethod : public ProjectedMethod, public CurveMethod {
  public:
-  static constexpr std::string_view kLimits =
-      "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
-      "harmonics, 1 % some 300. With few harmonics some series have impacts of no motion.";  ///< for people
-  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
-
   [[nodiscard]] const CurveMethod* curve() const final { return this; }
   /// Over the frequency of the load.
   [[nodiscard]] Support follows(const ParametrisedScene& scene) const final {
@@ -60,6 +58,16 @@ class FollowedMethod : public ProjectedMethod, public CurveMethod {
 
  protected:
   using ProjectedMethod::ProjectedMethod;
+
+  /// With the limits, the order and the former options of all, too.
+  static constexpr MethodText completed(MethodText text) {
+    text.limits =
+        "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some "
+        "40 harmonics, 1 % some 300. With few harmonics some series have impacts of no motion.";
+    text.order = 1.0;
+    text.former = kOptionsOfClosure;
+    return ProjectedMethod::completed(text);
+  }
 };
 
 /// A preset that solves each grid as a complementarity problem (lcp_grid_solver).

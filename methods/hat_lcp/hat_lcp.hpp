@@ -37,15 +37,15 @@ class HatLcp final : public Method, public CurveMethod {
   using Scheme = HatScheme;
   enum class ImpactLaw { scene, none };
 
-  static constexpr std::string_view kName = "hat-lcp";
-  static constexpr std::string_view kTitle =
-      "Hat functions in time, one linear complementarity problem per period";
-  static constexpr std::string_view kLaws = "restitution 0..1, penalty, massless; none: undetermined";
-  static constexpr std::string_view kLimits =
-      "First order in the step: at impacts 1 % takes some 2000 nodes, 0.1 % ten times as many. On a coarse "
-      "grid the equations of a lightly damped scene may have no solution.";
-  static constexpr std::string_view kLadder = "samples=128|512|2048";
-  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
+  static constexpr MethodText kText{
+      .name = "hat-lcp",
+      .title = "Hat functions in time, one linear complementarity problem per period",
+      .laws = "restitution 0..1, penalty, massless; none: undetermined",
+      .ladder = "samples=128|512|2048",
+      .limits =
+          "First order in the step: at impacts 1 % takes some 2000 nodes, 0.1 % ten times as many. On a "
+          "coarse grid the equations of a lightly damped scene may have no solution.",
+      .order = 1.0};
 
   struct Options {
     std::optional<int> samples = {};  ///< N >= 4 nodes per period [-]

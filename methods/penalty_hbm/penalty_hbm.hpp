@@ -2,7 +2,6 @@
 // Penalty harmonic balance: the stop as a stiff unilateral spring, projected on the Fourier space.
 
 #include <optional>
-#include <string_view>
 
 #include "methods/harmonic_balance/projected_method.hpp"
 
@@ -20,21 +19,20 @@ namespace signorini {
 /// the static stiffness of the contact. It sets what is left at `auto`.
 class PenaltyHbm final : public FollowedMethod {
  public:
-  static constexpr std::string_view kName = "penalty-hbm";
-  static constexpr std::string_view kTitle = "Harmonic balance with a penalty spring for the stop";
-  static constexpr std::string_view kLaws = "penalty; restitution 1 and massless by regularisation";
+  static constexpr MethodText kText =
+      completed({.name = "penalty-hbm",
+                 .title = "Harmonic balance with a penalty spring for the stop",
+                 .laws = "penalty; restitution 1 and massless by regularisation"});
 
   struct Options {
     HarmonicOptions common = {};
     std::optional<Scaled> penalty = {};  ///< eps > 0 [N/m], or times contact_stiffness_scale
     ComplementaritySolver solver = ComplementaritySolver::automatic;
 
-    static constexpr auto kFormer = kOptionsOfClosure;
-
     void visit(auto&& field) {
       common.visit(
-          field, [&] { field("penalty", penalty, "[N/m]", kPenaltyText); },
-          [&] { field("solver", solver, "[-]", kSolverText); });
+          field, [&] { field("penalty", penalty, "[N/m]", kMeanings.penalty); },
+          [&] { field("solver", solver, "[-]", kMeanings.solver); });
     }
   };
 

@@ -83,28 +83,28 @@ using PluginEntryPoint = const PluginDescription* (*)();
 
 namespace plugin_detail {
 
+constexpr int kOptimised =
 #if defined(__OPTIMIZE__) && defined(NDEBUG)
-constexpr int kOptimised = 1;
+    1;
 #else
-constexpr int kOptimised = 0;
+    0;
 #endif
 
 constexpr PluginText text_of(std::string_view text) { return {text.data(), text.size()}; }
 
 template <RegistrableMethod M>
 constexpr PluginMethod method_of() {
-  PluginMethod method{text_of(M::kName),
-                      text_of(M::kTitle),
-                      text_of(M::kLaws),
-                      text_of(M::kLadder),
-                      0.0,
-                      [](const OptionSetting* settings, std::size_t count) -> Method* {
-                        typename M::Options options;
-                        apply_settings(options, std::span(settings, count));
-                        return new M(options);
-                      }};
-  if constexpr (requires { M::kOrder; }) method.order = M::kOrder;
-  return method;
+  constexpr MethodText text = M::kText;
+  return {text_of(text.name),
+          text_of(text.title),
+          text_of(text.laws),
+          text_of(text.ladder),
+          text.order.value_or(0.0),
+          [](const OptionSetting* settings, std::size_t count) -> Method* {
+            typename M::Options options;
+            apply_settings(options, std::span(settings, count), M::kText.former);
+            return new M(options);
+          }};
 }
 
 }  // namespace plugin_detail

@@ -234,10 +234,10 @@ struct Options {
 class IllBehaved final : public signorini::Method {
  public:
   using Options = attack::Options;
-  static constexpr std::string_view kName = "ill-behaved";
-  static constexpr std::string_view kTitle = "A method that misbehaves as it is told";
-  static constexpr std::string_view kLaws = "restitution 0..1";
-  static constexpr std::string_view kLadder = "deed=stand-still";
+  static constexpr signorini::MethodText kText{.name = "ill-behaved",
+                                               .title = "A method that misbehaves as it is told",
+                                               .laws = "restitution 0..1",
+                                               .ladder = "deed=stand-still"};
 
   explicit IllBehaved(const Options& options) : options_(options) {}
   [[nodiscard]] std::vector<signorini::OptionEcho> options() const override {

@@ -76,10 +76,10 @@ class FormulaMotion final : public Trajectory {
 /// Answers with the contact-free response of a one-mass scene unless told to misbehave.
 class FakeMethod final : public Method {
  public:
-  static constexpr std::string_view kName = "fake-method";
-  static constexpr std::string_view kTitle = "misbehaves as told";
-  static constexpr std::string_view kLaws = "any";
-  static constexpr std::string_view kLadder = "behaviour=good|give_up";
+  static constexpr MethodText kText{.name = "fake-method",
+                                    .title = "misbehaves as told",
+                                    .laws = "any",
+                                    .ladder = "behaviour=good|give_up"};
 
   struct Options {
     Behaviour behaviour = Behaviour::good;

@@ -8,11 +8,11 @@ namespace siconos_rivals {
 /// LSODAR between events, which it locates; impacts and accelerations by linear complementarity problems.
 class EventDriven final : public ImpactMethod {
  public:
-  static constexpr std::string_view kName = "siconos-event-driven";
-  static constexpr std::string_view kTitle =
-      "Event-driven integration by LSODAR of Siconos until the motion repeats";
-  static constexpr std::string_view kLaws = "restitution 0..1";
-  static constexpr std::string_view kLadder = "tolerance=1e-4|1e-6|1e-8";
+  static constexpr signorini::MethodText kText{
+      .name = "siconos-event-driven",
+      .title = "Event-driven integration by LSODAR of Siconos until the motion repeats",
+      .laws = "restitution 0..1",
+      .ladder = "tolerance=1e-4|1e-6|1e-8"};
 
   struct Options {
     double tolerance = 1e-6;  ///< on the change over a period [-]

@@ -9,11 +9,11 @@ namespace siconos_rivals {
 /// the matrix is worth.
 class HatLemke final : public signorini::Method {
  public:
-  static constexpr std::string_view kName = "siconos-hat-lcp";
-  static constexpr std::string_view kTitle =
-      "Lemke's method of Siconos on the complementarity problem of hat-lcp";
-  static constexpr std::string_view kLaws = "all";
-  static constexpr std::string_view kLadder = "samples=64|256|1024";
+  static constexpr signorini::MethodText kText{
+      .name = "siconos-hat-lcp",
+      .title = "Lemke's method of Siconos on the complementarity problem of hat-lcp",
+      .laws = "all",
+      .ladder = "samples=64|256|1024"};
 
   struct Options {
     int samples = 256;  ///< nodes per period [-]

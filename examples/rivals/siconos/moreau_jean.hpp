@@ -9,10 +9,11 @@ namespace siconos_rivals {
 /// complementarity problem a step, by Lemke's method as Siconos' own examples take it.
 class MoreauJean final : public ImpactMethod {
  public:
-  static constexpr std::string_view kName = "siconos-moreau-jean";
-  static constexpr std::string_view kTitle = "Moreau-Jean time stepping of Siconos until the motion repeats";
-  static constexpr std::string_view kLaws = "restitution 0..1";
-  static constexpr std::string_view kLadder = "steps=250|1000|4000";
+  static constexpr signorini::MethodText kText{
+      .name = "siconos-moreau-jean",
+      .title = "Moreau-Jean time stepping of Siconos until the motion repeats",
+      .laws = "restitution 0..1",
+      .ladder = "steps=250|1000|4000"};
 
   struct Options {
     int steps = 1000;         ///< per period of the motion [-]

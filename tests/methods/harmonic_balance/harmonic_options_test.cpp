@@ -8,6 +8,7 @@
 
 #include "methods/aft_hbm/aft_hbm.hpp"
 #include "methods/augmented_lagrangian/augmented_lagrangian.hpp"
+#include "methods/catalogue.hpp"
 #include "methods/fourier_lipschitz/fourier_lipschitz.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "tests/support/impact_oscillator.hpp"
@@ -71,10 +72,9 @@ TEST(HarmonicOptions, PlainIsHardWherePivotsNeedNoStart) {
 /// What a method says of a setting that it does not take.
 template <class Method>
 std::string said_of(const char* key) {
-  typename Method::Options options;
   const OptionSetting setting{key, "false"};
   try {
-    apply_settings(options, {&setting, 1});
+    method_entry<Method>().make({&setting, 1});
   } catch (const InvalidOption& error) {
     return error.what();
   }

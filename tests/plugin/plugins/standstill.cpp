@@ -18,7 +18,7 @@
 namespace tiny {
 
 struct Plain final : Method<StandStill> {
-  static constexpr std::string_view kName = TINY_NAME;
+  static constexpr signorini::MethodText kText = text_of(TINY_NAME);
   using Method::Method;
 };
 

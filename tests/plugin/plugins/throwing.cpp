@@ -13,12 +13,12 @@ struct Throw {
 };
 
 struct Throwing final : Method<Throw> {
-  static constexpr std::string_view kName = "tiny-throwing";
+  static constexpr signorini::MethodText kText = text_of("tiny-throwing");
   using Method::Method;
 };
 
 struct Quiet final : Method<StandStill> {
-  static constexpr std::string_view kName = "tiny-quiet";
+  static constexpr signorini::MethodText kText = text_of("tiny-quiet");
   using Method::Method;
 };
 

@@ -32,10 +32,6 @@ template <class Solve>
 class Method : public signorini::Method {
  public:
   using Options = tiny::Options;
-  static constexpr std::string_view kTitle = "A method for tests";
-  static constexpr std::string_view kLaws = "restitution 0..1";
-  static constexpr std::string_view kLadder = "level=1|2";
-
   explicit Method(const Options& options) : options_(options) {
     signorini::require_option(options.level >= 1 && options.level <= 3, "level", options.level,
                               "must be in 1..3");
@@ -64,6 +60,11 @@ class Method : public signorini::Method {
 
   Options options_;
 };
+
+/// What they say of themselves but for the name.
+constexpr signorini::MethodText text_of(std::string_view name) {
+  return {.name = name, .title = "A method for tests", .laws = "restitution 0..1", .ladder = "level=1|2"};
+}
 
 struct StandStill {
   signorini::Solution operator()(const signorini::Problem& problem) const {

@@ -6,7 +6,7 @@ namespace tiny {
 struct Refusal {};
 
 struct Unmakeable final : Method<StandStill> {
-  static constexpr std::string_view kName = "tiny-unmakeable";
+  static constexpr signorini::MethodText kText = text_of("tiny-unmakeable");
   explicit Unmakeable(const Options& options) : Method(options) { throw Refusal{}; }
 };
 
