@@ -2,6 +2,7 @@
 // One step of pseudo-arclength continuation: tangent, corrector, step control, and a zero along the step.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <memory>
@@ -129,6 +130,26 @@ Eigen::VectorXd first_tangent(const AnyEquations& equations);
 
 /// The same of the sign that leads to larger parameters, or to smaller ones.
 Eigen::VectorXd first_tangent(const AnyEquations& equations, bool larger);
+
+/// How long steps along a curve are, and which are refused. Lengths are in the units of the unknowns.
+struct StepRules {
+  double first = 0.01;     ///< length of the first step
+  double longest = 0.1;    ///< of any, times CurveLimits::step_share
+  double shortest = 1e-6;  ///< below, the curve has broken
+  double any_turn = 0.0;   ///< a step as short as this may turn by any angle
+  double turned = 0.35;    ///< angle by which the tangent may turn [rad]
+  double far = 2.0;        ///< how far Newton's method may lead, over the step's length [-]
+  double moved = 0.1;      ///< part of a motion that may change [-]
+  double small = 0.05;     ///< size of the least motion that counts there, over the unit of displacement [-]
+
+  /// Whether a motion is too far from the one before to be its neighbour. \param least  size of the least
+  /// motion that counts
+  [[nodiscard]] bool moves_too_far(const auto& motion, const auto& before, double least) const {
+    return (motion - before).norm() > moved * std::max(before.norm(), least);
+  }
+};
+/// Of curves of a method's own equations.
+inline constexpr StepRules kMethodSteps{};
 
 /// The length of the next step after one that took so many Newton steps and turned by so much.
 /// \param turn  angle between the tangents at both ends [rad]

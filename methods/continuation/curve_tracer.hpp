@@ -17,26 +17,6 @@
 
 namespace signorini {
 
-/// A step is refused where Newton's method leads farther than twice its length, where the tangent turns by
-/// more than .35 rad, or where the motion changes by more than a tenth. Lengths are in the units of the
-/// unknowns.
-struct StepRules {
-  static constexpr double kFirst = 0.01;     ///< length of the first step
-  static constexpr double kLongest = 0.1;    ///< of any, times CurveLimits::step_share
-  static constexpr double kShortest = 1e-6;  ///< below, the curve has broken
-  static constexpr double kFar = 2.0;        ///< of the step's length
-  static constexpr double kTurned = 0.35;    ///< rad
-
-  /// Whether a motion is too far from the one before to be its neighbour. \param least  size of the least
-  /// motion that counts
-  static bool moves_too_far(const auto& motion, const auto& before, double least) {
-    constexpr double kShare = 0.1;
-    return (motion - before).norm() > kShare * std::max(before.norm(), least);
-  }
-  /// The part of the unit of displacement that is a small motion [-]
-  static constexpr double kSmall = 0.05;
-};
-
 /// A branch and its unknowns, and where others begin.
 template <class Start>
 struct TracedBranch {
@@ -60,7 +40,7 @@ class CurveTracer {
     while (!done_) {
       if (limits_.expired())
         finish("the time is up");
-      else if (length() < StepRules::kShortest)
+      else if (length() < kMethodSteps.shortest)
         end_broken();
       else
         advance();

@@ -116,7 +116,7 @@ double time_of_point(int masses, int times) {
     time += seconds_of([&] {
       for (const double sign : {1.0, -1.0})
         points += trace_curve(family, {.orbit = orbit, .tangent = sign * tangent, .origin = "here"},
-                              {.max_points = 100, .step_share = 0.02 / kLongestStep})
+                              {.max_points = 100, .step_share = 0.02 / kOrbitSteps.longest})
                       .branch.points.size();
     });
   }

@@ -44,7 +44,7 @@ bool SeriesSteps::take(SeriesStep step) {
   if (!curve_.evaluate(step.next.z)) return false;
   here_ = std::move(step.next);
   const double longest =
-      longest_step(limits_.step_share * StepRules::kLongest, here_.x.head(series_.size()).norm());
+      longest_step(limits_.step_share * kMethodSteps.longest, here_.x.head(series_.size()).norm());
   length_ = std::max(next_step(length_, step.iterations - 1, step.turn, longest), planned_);
   planned_ = 0.0;
   if (step.beginning) turn_along_depths(*step.beginning);
@@ -75,7 +75,8 @@ std::optional<int> SeriesSteps::try_step() {
   curve_.follow(here_.depths);
   const auto iterations = correct(curve_, here_.z + length_ * here_.tangent, here_.tangent,
                                   {.iterations = 10, .tolerance = 2e-13});
-  return iterations && (curve_.z() - here_.z).norm() <= StepRules::kFar * length_ ? iterations : std::nullopt;
+  return iterations && (curve_.z() - here_.z).norm() <= kMethodSteps.far * length_ ? iterations
+                                                                                   : std::nullopt;
 }
 
 // Where a step is refused: up to where a contact begins, if one does; else shorter.
@@ -126,8 +127,8 @@ std::optional<StepTarget> SeriesSteps::target() const {
 
 // A branch of few unknown changes, as without contact, still has neighbours for points.
 bool SeriesSteps::moves_too_far() const {
-  return StepRules::moves_too_far(series_.motion(), here_.motion,
-                                  StepRules::kSmall * series_.family().displacement_unit);
+  return kMethodSteps.moves_too_far(series_.motion(), here_.motion,
+                                    kMethodSteps.small * series_.family().displacement_unit);
 }
 
 // The step whose end the curve is evaluated at; empty where it may not be taken.
@@ -144,7 +145,7 @@ std::optional<Eigen::VectorXd> SeriesSteps::next_slope(double& turn) {
   const auto tangent = tangent_of(curve_, here_.tangent);
   if (!tangent) return std::nullopt;
   turn = std::acos(std::clamp(tangent->dot(here_.tangent), -1.0, 1.0));
-  if (turn > StepRules::kTurned ||
+  if (turn > kMethodSteps.turned ||
       series_.family().turns_past(limits_.at, whole_step(), curve_.frequency(), *tangent))
     return std::nullopt;
   if (!ceasing_) return curve_.without_depths(*tangent).normalized();
@@ -160,7 +161,7 @@ std::optional<SeriesStep> SeriesSteps::begin_contact() {
   if (!curve_.evaluate(here_.z)) return std::nullopt;
   const double share = curve_.without_depths(here_.tangent).norm();
   for (const NascentContact& nascent :
-       nascent_contacts(series_, here_.slope, StepRules::kFar * length_ * share)) {
+       nascent_contacts(series_, here_.slope, kMethodSteps.far * length_ * share)) {
     const bool followed = std::any_of(here_.depths.begin(), here_.depths.end(),
                                       [&](const auto& depth) { return same_extremum(depth, nascent.depth); });
     if (followed) continue;
@@ -180,7 +181,7 @@ std::optional<SeriesStep> SeriesSteps::begin_contact(const NascentContact& nasce
   if (!correct(curve_, predicted, Eigen::VectorXd::Unit(last + 2, last), {.iterations = 15}))
     return std::nullopt;
   const Eigen::VectorXd z = curve_.with_depths(series_.x(), curve_.w().head(curve_.count() - 1));
-  const bool beyond = (z - here_.z).norm() > StepRules::kFar * distance;
+  const bool beyond = (z - here_.z).norm() > kMethodSteps.far * distance;
   if (beyond || !(here_.slope.dot(series_.x() - here_.x) > 0.0)) return std::nullopt;
   const ContactDepth beginning = curve_.depth_here(curve_.count() - 1);
   curve_.follow(here_.depths);
@@ -221,7 +222,7 @@ void SeriesSteps::turn_along_depths(const ContactDepth& first) {
   here_.tangent =
       curve_.with_depths(Eigen::VectorXd::Zero(here_.x.size()), Values(rates.data(), curve_.count()))
           .normalized();
-  length_ = StepRules::kFirst;
+  length_ = kMethodSteps.first;
 }
 
 }  // namespace signorini

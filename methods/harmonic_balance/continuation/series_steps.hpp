@@ -74,7 +74,7 @@ class SeriesSteps {
   DepthCurve curve_;
   SeriesCurve& series_;  // of curve_
   SeriesStation here_;
-  double length_ = StepRules::kFirst,
+  double length_ = kMethodSteps.first,
          planned_ = 0.0;                 // the latter of a step that ended at a frequency asked for
   std::optional<ContactDepth> ceasing_;  // at the end of the step at hand
   bool outside_ = false;

@@ -160,9 +160,9 @@ class HatTracer final : public CurveTracer<HatStart> {
 
   void advance() override {
     const auto iterations = correct(curve_, Eigen::VectorXd(x_ + step_ * tangent_), tangent_);
-    if (!iterations || (curve_.x() - x_).norm() > StepRules::kFar * step_) return shorten(0.4);
+    if (!iterations || (curve_.x() - x_).norm() > kMethodSteps.far * step_) return shorten(0.4);
     const auto tangent = tangent_of(curve_, tangent_);
-    if (!tangent || tangent->dot(tangent_) < std::cos(StepRules::kTurned) || moves_too_far())
+    if (!tangent || tangent->dot(tangent_) < std::cos(kMethodSteps.turned) || moves_too_far())
       return shorten(0.5);
     const HatFamily& family = curve_.family();
     if (family.turns_past(limits().at, whole_step(), curve_.frequency(), *tangent)) return shorten(0.5);
@@ -191,8 +191,8 @@ class HatTracer final : public CurveTracer<HatStart> {
 
   // Neighbours for points, on a branch of few unknowns too.
   [[nodiscard]] bool moves_too_far() const {
-    const double small = StepRules::kSmall * curve_.family().displacement_unit;
-    return StepRules::moves_too_far(curve_.motion(), motion_, small * std::sqrt(motion_.size()));
+    const double small = kMethodSteps.small * curve_.family().displacement_unit;
+    return kMethodSteps.moves_too_far(curve_.motion(), motion_, small * std::sqrt(motion_.size()));
   }
 
   // A fold within the set.
@@ -216,7 +216,7 @@ class HatTracer final : public CurveTracer<HatStart> {
     append();
     just_changed_ = -1;
     const double longest =
-        longest_step(limits().step_share * StepRules::kLongest, x_.head(curve_.size()).norm());
+        longest_step(limits().step_share * kMethodSteps.longest, x_.head(curve_.size()).norm());
     if (length == step_) step_ = next_step(step_, iterations, turn, longest);
   }
 
@@ -258,7 +258,7 @@ class HatTracer final : public CurveTracer<HatStart> {
   HatCurve curve_;
   Eigen::VectorXd x_, tangent_;
   Eigen::MatrixXd motion_;
-  double step_ = StepRules::kFirst;
+  double step_ = kMethodSteps.first;
   int just_changed_ = -1, changes_ = 0;
 };
 

@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "methods/continuation/curve_tracer.hpp"
 #include "methods/orbit/bifurcation_curves/special_equations.hpp"
 #include "methods/orbit/continuation/contact_changes.hpp"
 #include "methods/orbit/continuation/grazing_starts.hpp"
@@ -191,24 +190,23 @@ class BifurcationCurveTracer {
 
   [[nodiscard]] CurveStep whole_step() const { return {.x = x_, .tangent = tangent_, .length = step_}; }
   void advance() {
-    constexpr double kShort = 1e-4;     // a step at which every turn is taken
-    constexpr double kShortest = 1e-7;  // below, the curve ends
     if (limits_.expired()) return finish("the time is up");
-    if (step_ < kShortest) return finish("the corrector fails");
+    if (step_ < kOrbitSteps.shortest) return finish("the corrector fails");
     const auto iterations = correct(*special_, x_ + step_ * tangent_, tangent_, kLimits);
     if (!iterations) return shorten(0.4);
     if (clearance_of_section(special_->orbits().orbit()) <= 0.0) return shorten(0.5);
     if (leaves()) return;
     const auto tangent = tangent_of(*special_, tangent_);
-    const bool turned = tangent && tangent->dot(tangent_) < std::cos(StepRules::kTurned);
-    if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
+    const bool turned = tangent && tangent->dot(tangent_) < std::cos(kOrbitSteps.turned);
+    if (!tangent || (turned && step_ > kOrbitSteps.any_turn)) return shorten(0.5);
     if (const auto guard = violated(*special_)) return turns_back() ? void() : end_at(*guard);
     const double turn = std::acos(std::min(1.0, tangent->dot(tangent_)));
     x_ = special_->x();
     tangent_ = *tangent;
     append();
     special_->take_reference();
-    const double longest = longest_step(limits_.step_share * kLongestStep, x_.lpNorm<Eigen::Infinity>());
+    const double longest =
+        longest_step(limits_.step_share * kOrbitSteps.longest, x_.lpNorm<Eigen::Infinity>());
     step_ = next_step(step_, *iterations, turn, longest);
     if (static_cast<int>(result_.points.size()) >= limits_.max_points)
       return finish(fmt::format("limit of {} points", limits_.max_points));
@@ -279,7 +277,7 @@ class BifurcationCurveTracer {
   OrbitPlane& plane_;
   const CurveLimits& limits_;
   SpecialKind kind_;
-  double step_ = StepRules::kFirst;
+  double step_ = kOrbitSteps.first;
   bool done_ = false, may_turn_ = false;
   std::optional<Onward> onward_;
   std::unique_ptr<SpecialEquations> special_;

@@ -9,7 +9,6 @@
 #include <tuple>
 #include <utility>
 
-#include "methods/continuation/curve_tracer.hpp"
 #include "methods/orbit/continuation/hidden_bifurcations.hpp"
 #include "methods/orbit/continuation/station.hpp"
 #include "methods/orbit/family/chatter.hpp"
@@ -178,8 +177,6 @@ MultiplierRange range_at(std::size_t points, bool asked) {
   return asked || points % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
 }
 
-constexpr double kShort = 1e-4, kShortestStep = 1e-7;  // takes any turn; the curve ends
-
 class Tracer {
  public:
   Tracer(OrbitFamily& family, const CurveStart& start, const CurveLimits& limits,
@@ -189,7 +186,7 @@ class Tracer {
         followed_(family, energies),
         start_(start),
         equations_(std::make_unique<ExtendedEquations>(family, start.orbit)),
-        step_(StepRules::kFirst * start.first_step_share) {}
+        step_(kOrbitSteps.first * start.first_step_share) {}
 
   TracedCurve run() {
     result_.branch.sequence = describe_sequence(start_.orbit);
@@ -300,7 +297,7 @@ class Tracer {
     append();
     travelled_ += step_;
     const double longest =
-        longest_step(limits_.step_share * kLongestStep, size_of_state(equations_->orbit()));
+        longest_step(limits_.step_share * kOrbitSteps.longest, size_of_state(equations_->orbit()));
     step_ = std::max(next_step(step_, iterations, turn, longest), planned_);
     planned_ = 0.0;
     if (size_of_state(equations_->orbit()) > kMostGrown) return finish(kGrown);
@@ -339,7 +336,7 @@ class Tracer {
 void Tracer::advance() {
   constexpr double kShortestTurn = 1e-6;  // over a value that is asked for
   if (limits_.expired()) return finish("the time is up");
-  if (step_ < kShortestStep && !unsteered_) return finish("the corrector fails");
+  if (step_ < kOrbitSteps.shortest && !unsteered_) return finish("the corrector fails");
   auto iterations =
       correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = near_.get()});
   const bool lands = !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
@@ -350,34 +347,35 @@ void Tracer::advance() {
   if (target && !shorten_to(*target)) return beyond ? finish(std::string(kEndOfInterval)) : shorten(0.5);
   const auto factors = factors_at(*equations_, here_.tangent);
   const auto tangent = factors ? factors->tangent() : tangent_of(*equations_, here_.tangent);
-  const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(StepRules::kTurned);
-  if (!tangent || (turned && step_ > kShort)) return shorten(0.5);
+  const bool turned = tangent && tangent->dot(here_.tangent) < std::cos(kOrbitSteps.turned);
+  if (!tangent || (turned && step_ > kOrbitSteps.any_turn)) return shorten(0.5);
   if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
     return shorten(0.5);
   Station next = station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands),
                             factors.get());
   if (rejects(next)) return reject();
-  if (leaves_out_too_much(*equations_)) return step_ > kShort ? shorten(0.5) : finish(kChatterLimit);
+  if (leaves_out_too_much(*equations_))
+    return step_ > kOrbitSteps.any_turn ? shorten(0.5) : finish(kChatterLimit);
   const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
   if (crossing && rejects(next)) return reject();
-  if (unseen && (step_ > kShort || (violates(next) && !crossing))) return shorten(0.5);
+  if (unseen && (step_ > kOrbitSteps.any_turn || (violates(next) && !crossing))) return shorten(0.5);
   if (unseen) note("whether a contact passes its stop between two points is not decided");
   const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
-  if (halved && *halved == 0.0 && step_ > kShort) return shorten(0.5);  // to end nearer to it
+  if (halved && *halved == 0.0 && step_ > kOrbitSteps.any_turn) return shorten(0.5);  // to end nearer to it
   // Tests vanish too where a phase of no length begins, and at a doubling to the root of rounding.
   constexpr double kBefore = 1.0 - 1e-6, kAtDoubling = 1e-3;  // of the step; of length
   const double inside = std::min({step_, crossing ? kBefore * crossing->length : step_,
                                   halved ? std::max(0.0, *halved - kAtDoubling) : step_});
   StepBifurcations met = bifurcations(*equations_, here_, step_, next, inside);
   const bool hides = inside == step_ && may_hide_bifurcations(before_, here_.tests, step_, next.tests);
-  if ((met.undecided || hides) && step_ > kShort) return shorten(0.5);
+  if ((met.undecided || hides) && step_ > kOrbitSteps.any_turn) return shorten(0.5);
   if (met.undecided) note("a bifurcation is not located");
   if (hides && !met.undecided) note("two bifurcations may be one");
   for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
   if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
   if (crossing) return end_at(*crossing);
   // Next to the start all orbits are the same to rounding.
-  if (start_.leaves == LeftBranch::none && travelled_ > StepRules::kFirst &&
+  if (start_.leaves == LeftBranch::none && travelled_ > kOrbitSteps.first &&
       passes(*equations_, here_.x, next.x, start_.orbit))
     return close();
   near_ = factors;

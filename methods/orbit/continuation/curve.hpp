@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/continuation/arc_length.hpp"
 #include "methods/continuation/interval_gaps.hpp"
 #include "methods/orbit/continuation/orbit_branch.hpp"
 #include "methods/orbit/family/survey.hpp"
@@ -17,8 +18,8 @@ namespace signorini {
 /// Why most branches end.
 inline constexpr std::string_view kEndOfInterval = "end of the interval";
 
-/// The longest step of a curve unless a share of it is asked for [CurveUnits]
-inline constexpr double kLongestStep = 0.15;
+/// Of curves of orbits [CurveUnits]
+inline constexpr StepRules kOrbitSteps{.longest = 0.15, .shortest = 1e-7, .any_turn = 1e-4};
 
 /// What branch besides the one that is followed goes through its start.
 enum class LeftBranch {

@@ -116,7 +116,7 @@ TEST(PastChange, AreTheSameWhateverTheSteps) {
     OrbitFamily family(scene);
     const OrbitDiagram diagram =
         trace_diagram(family, {contact_free_orbit(family, 4.5).value()},
-                      {.max_order = 1, .max_branches = 8, .step_share = step / kLongestStep});
+                      {.max_order = 1, .max_branches = 8, .step_share = step / kOrbitSteps.longest});
     std::vector<double> parameters;
     for (const OrbitBranch& branch : diagram.branches) parameters.push_back(branch.points.back().parameter);
     return parameters;

@@ -84,7 +84,7 @@ TEST_P(ResponseOfTheImpactOscillator, HasPointsThatAreOrbitsOfTheScene) {
 // displacement by no more than speed times that.
 TEST_P(ResponseOfTheImpactOscillator, NowhereJumps) {
   constexpr double kMost = 4.0;  // times as far as the longest step
-  const double longest = kLongestStep;
+  const double longest = kOrbitSteps.longest;
   const Problem problem = test::to_problem(oscillator());
   OrbitFamily family(over_frequency(problem, 1.5, 4.5));
   const CurveUnits& units = family.units();
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(ClosedForms, ResponseOfTheImpactOscillator,
 TEST(TraceDiagram, LocatesTheSamePointsWithOtherSteps) {
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.8});
   for (const double step : {0.03, 0.4}) {
-    const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.5, {.step_share = step / kLongestStep});
+    const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.5, {.step_share = step / kOrbitSteps.longest});
     const OrbitBranch* two = branch_of(diagram, 2, 1);
     ASSERT_TRUE(two);
     EXPECT_NEAR(nearest(*two, SpecialKind::fold, 3.6), 3.6934249832, kLocated) << step;

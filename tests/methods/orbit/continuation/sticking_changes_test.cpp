@@ -73,7 +73,7 @@ TEST(StickingChanges, LocateTheGrazingOfAMotionThatSticksWhateverTheSteps) {
   });
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2, .restitution = 0.0});
   for (const double step : {0.03, 0.05, 0.15, 0.4}) {
-    const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.0, {.step_share = step / kLongestStep});
+    const OrbitDiagram diagram = diagram_of(problem, 1.5, 4.0, {.step_share = step / kOrbitSteps.longest});
     for (const char* sequence : {"order 2, events C0 O0", "order 2, events I0 C0 O0"}) {
       const auto branch = std::find_if(diagram.branches.begin(), diagram.branches.end(),
                                        [&](const OrbitBranch& b) { return b.sequence == sequence; });

@@ -106,7 +106,7 @@ TEST(BranchPoint, IsWhereTheClosedFormLosesItsSymmetry) {
     const SequencedOrbit orbit = sequenced(family, seed.orbit(), 2.0 * seed.half(), 1.2, 1.2);
     for (const double step : {0.15, 0.04}) {
       const OrbitDiagram diagram =
-          trace_diagram(family, {orbit}, {.max_branches = 3, .step_share = step / kLongestStep});
+          trace_diagram(family, {orbit}, {.max_branches = 3, .step_share = step / kOrbitSteps.longest});
       EXPECT_NEAR(test::nearest(diagram, SpecialKind::branch_point, exact), exact, 1e-12)
           << where.restitution << " " << step;
       EXPECT_EQ(diagram.branches.size(), 3U);
