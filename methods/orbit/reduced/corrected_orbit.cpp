@@ -17,26 +17,6 @@ namespace signorini {
 
 namespace {
 
-// Instants at which two orbits are compared.
-constexpr int kComparedInstants = 1024;
-// Rate of the corrections beyond which they are not trusted to converge.
-constexpr double kSlowestCorrection = 0.5;
-// Rate at which corrections make defects fall at least, where they converge.
-constexpr double kTypicalRate = 0.1;
-// Part of the other terms of the bar below which a smaller defect tells
-// nothing.
-constexpr double kNegligible = 0.05;
-constexpr double kBarSafety = 2.0;
-constexpr int kFewestShifted = 25;
-// Defects below are rounding, and so is what they change.
-constexpr double kTellingDefect = 1e-13;
-// Displacements by which the amplification is measured, relative to x: as large
-// as what is left, within these.
-constexpr double kLeastProbe = 1e-10, kLargestProbe = 1e-6;
-constexpr int kProbes = 4;
-// Harmonics of the response to a change of K that are looked at for resonances.
-constexpr int kResonanceHarmonics = 32;
-
 /// Root mean square over time and contacts of a series, n = first.., the
 /// constant once [m].
 double series_norm(const Eigen::MatrixXcd& series, Eigen::Index first = 0) {
@@ -106,10 +86,10 @@ class Correction {
   /// Whether the first orbit needs no correction: what is left is no larger than what probes try, and the bar
   /// that they lead to is as small as is wanted, or no correction promises less.
   bool good_at_once() {
-    return reducible() <= kLargestProbe && enough() && probe() && !too_slow() && enough();
+    return reducible() <= settings_.largest_probe && enough() && probe() && !too_slow() && enough();
   }
 
-  [[nodiscard]] bool done() const { return settled_ && (enough() || rate() > kSlowestCorrection); }
+  [[nodiscard]] bool done() const { return settled_ && (enough() || rate() > settings_.slowest); }
 
   /// Defect of the present orbit, and by how much it has changed. False without its force.
   bool measure();
@@ -122,7 +102,7 @@ class Correction {
   /// What the rounding of K's factors does to x.
   [[nodiscard]] double rounding(const Eigen::MatrixXd& x) const {
     return space_.rounding() /
-           space_.distance_from_resonance(base_, kResonanceHarmonics * problem_.subharmonic) *
+           space_.distance_from_resonance(base_, settings_.resonances * problem_.subharmonic) *
            std::sqrt(x.array().square().mean()) / size_;
   }
 
@@ -143,7 +123,7 @@ class Correction {
 
   /// Harmonics that are added, the constant included: so many that the others are below the rest of the bar.
   [[nodiscard]] Eigen::Index shifted() const {
-    const double least = std::max(kLeftBySolved * settings_.tolerance, fixed());
+    const double least = std::max(settings_.left_by_solved * settings_.tolerance, fixed());
     return harmonics_to_add(missing_, least * size_, problem_.subharmonic, settings_);
   }
 
@@ -164,29 +144,29 @@ class Correction {
   [[nodiscard]] double rest() const { return result_.unshifted + result_.tail + fixed(); }
   [[nodiscard]] bool negligible_defect() const {
     const double defect = result_.defects.back();
-    return defect <= std::max(kTellingDefect, kNegligible * rest()) ||
-           kBarSafety * result_.amplification * defect <= kNegligible * settings_.tolerance;
+    return defect <= std::max(settings_.rounding, settings_.negligible * rest()) ||
+           settings_.safety * result_.amplification * defect <= settings_.negligible * settings_.tolerance;
   }
 
   /// What the next correction may leave: of what is not added, what its own vectors would.
   [[nodiscard]] double promised() const {
-    return kTypicalRate * result_.defects.back() + series_norm(missing_, shifted_) / size_;
+    return settings_.typical * result_.defects.back() + series_norm(missing_, shifted_) / size_;
   }
 
   [[nodiscard]] bool too_slow() const {
-    return !(defect_rate() <= kSlowestCorrection) && !negligible_defect();
+    return !(defect_rate() <= settings_.slowest) && !negligible_defect();
   }
 
   [[nodiscard]] bool enough() const {
-    return kBarSafety * result_.amplification * reducible() <= settings_.tolerance ||
-           reducible() <= kNegligible * fixed() || promised() > kSlowestCorrection * reducible();
+    return settings_.safety * result_.amplification * reducible() <= settings_.tolerance ||
+           reducible() <= settings_.negligible * fixed() || promised() > settings_.slowest * reducible();
   }
 
   void conclude() {
-    const double fallen = 1.0 - std::min(defect_rate(), kSlowestCorrection);
+    const double fallen = 1.0 - std::min(defect_rate(), settings_.slowest);
     // The orbit's own error bar is in X.
     const double own = result_.orbit.error_bar * result_.orbit.trajectory->scales().displacement / size_;
-    result_.bar = kBarSafety * result_.amplification * (result_.defects.back() / fallen + rest()) + own;
+    result_.bar = settings_.safety * result_.amplification * (result_.defects.back() / fallen + rest()) + own;
   }
 
   const Problem& problem_;
@@ -213,15 +193,15 @@ bool Correction::measure() {
   const int order = problem_.subharmonic, harmonics = settings_.harmonics * order;
   const Eigen::MatrixXcd force = orbit.force_spectrum(harmonics);
   if (force.size() == 0) return false;
-  const Eigen::MatrixXd x = orbit.sample(kComparedInstants * order).x;
+  const Eigen::MatrixXd x = orbit.sample(settings_.instants * order).x;
   size_ = size_about_mean(x);
-  const double wanted = kNegligible * std::max(settings_.tolerance, rounding(x)) * size_;
+  const double wanted = settings_.negligible * std::max(settings_.tolerance, rounding(x)) * size_;
   Eigen::VectorXd bound = space_.bound(base_, force);
   if (root_mean_square(bound) > wanted) {
     space_ = space_.grown_for(base_, {{.force = force, .tolerance = wanted}});
     bound = space_.bound(base_, force);
   }
-  space_ = space_.solved_for(base_, force, kLeftBySolved * settings_.tolerance * size_);
+  space_ = space_.solved_for(base_, force, settings_.left_by_solved * settings_.tolerance * size_);
   result_.vectors = space_.whole().vectors();
   result_.solved = model_.vectors();
   const Eigen::MatrixXcd whole = contact_response(space_.whole(), base_, force);
@@ -230,7 +210,8 @@ bool Correction::measure() {
   if (added_.rows() > 0) defect.topRows(added_.rows()) -= added_;
   if (!result_.defects.empty()) {
     const double change = std::sqrt((x - x_).array().square().mean()) / size_;
-    if (applied_ > kTellingDefect) result_.amplification = std::max(result_.amplification, change / applied_);
+    if (applied_ > settings_.rounding)
+      result_.amplification = std::max(result_.amplification, change / applied_);
   }
   result_.peak = sample_series(defect, 2 * harmonics).cwiseAbs().maxCoeff() / size_;
   result_.tail = beyond(defect) / size_;
@@ -253,12 +234,14 @@ bool Correction::measure() {
 
 bool Correction::probe() {
   const ExactTrajectory& orbit = *result_.orbit.trajectory;
-  const double length = std::clamp(result_.defects.back() + rest(), kLeastProbe, kLargestProbe) * size_;
+  const double length =
+      std::clamp(result_.defects.back() + rest(), settings_.least_probe, settings_.largest_probe) * size_;
   const bool uncorrected = result_.defects.size() == 1;
   const int harmonics = static_cast<int>(added_.rows()) - 1;
   Eigen::MatrixXd change = x_.rowwise() - x_.colwise().mean();
-  for (int k = 0; k < kProbes + (uncorrected ? 1 : 0); ++k) {
-    Eigen::MatrixXcd moved = k < kProbes ? force_spectrum(change, {}, problem_.period(), harmonics) : defect_;
+  for (int k = 0; k < settings_.probes + (uncorrected ? 1 : 0); ++k) {
+    Eigen::MatrixXcd moved =
+        k < settings_.probes ? force_spectrum(change, {}, problem_.period(), harmonics) : defect_;
     const double norm = series_norm(moved);
     if (norm == 0.0) continue;
     if (!std::isfinite(norm)) return false;
@@ -317,7 +300,7 @@ CondensedStructure displaced(const ContactReduction& reduction, const Eigen::Mat
 Eigen::Index harmonics_to_add(const Eigen::MatrixXcd& missing, double least, int order,
                               const OrbitCorrectionSettings& settings) {
   const auto most = std::min<Eigen::Index>(settings.shifted * order + 1, missing.rows());
-  Eigen::Index count = std::min<Eigen::Index>(kFewestShifted, most);
+  Eigen::Index count = std::min<Eigen::Index>(settings.fewest_shifted, most);
   while (count < most && series_norm(missing, count) > least) count = std::min(2 * count, most);
   return count;
 }

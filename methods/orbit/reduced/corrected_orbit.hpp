@@ -11,13 +11,25 @@
 
 namespace signorini {
 
-/// When corrections end.
+/// When corrections end, and how their bar is measured.
 struct OrbitCorrectionSettings {
   SearchOptions search = {};  ///< of every orbit
   int corrections = 8;        ///< at most, >= 1 [-]
   double tolerance = 1e-8;  ///< on the bar as far as corrections reduce it, relative to x about its mean [-]
   int harmonics = 4096;     ///< H, of force and defect, per forcing period >= 64 [-]
   int shifted = 192;        ///< harmonics of the displacements that are added, per forcing period, <= H [-]
+  int fewest_shifted = 25;  ///< the same at least, the constant included [-]
+  double slowest = 0.5;     ///< rate of the corrections beyond which they are not trusted to converge [-]
+  double typical = 0.1;     ///< rate at which corrections make defects fall at least, where they converge [-]
+  double negligible = 0.05;  ///< part of the other terms of the bar below which a defect tells nothing [-]
+  double safety = 2.0;       ///< of the bar [-]
+  double rounding = 1e-13;   ///< defects below are rounding, and so is what they change, relative to x [-]
+  int probes = 4;            ///< displacements by which the amplification is measured [-]
+  double least_probe = 1e-10, largest_probe = 1e-6;  ///< between which they are as large as what is left [-]
+  int resonances = 32;  ///< harmonics of the response to a change of K looked at for resonances [-]
+  int instants = 1024;  ///< at which two orbits are compared, per forcing period [-]
+  /// Part of the tolerance that the vectors to solve on may leave out of the motion they are chosen for [-]
+  double left_by_solved = 1e-3;
 };
 
 /// An orbit of the reduced structure with displacements added to its contacts, and what the whole structure
@@ -81,10 +93,6 @@ Eigen::Index harmonics_to_add(const Eigen::MatrixXcd& missing, double least, int
 /// The root mean square over time and contacts of x about its mean, 1 if that is zero: the scale of defects.
 /// \param x  at equidistant instants of the period, instants x Nc [m]
 double size_about_mean(const Eigen::MatrixXd& x);
-
-/// Part of the tolerance on the bar that the vectors to solve on may leave out of the motion they are chosen
-/// for [-].
-inline constexpr double kLeftBySolved = 1e-3;
 
 /// `condensed(reduction)` with displacements added to the contacts.
 /// \param added  d_n, n = 0.., per harmonic and contact [m]

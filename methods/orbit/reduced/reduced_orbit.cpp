@@ -26,7 +26,7 @@ ReducedOrbit orbit_near(const Problem& problem, const ContactSpace& given, const
   const double base = problem.base_frequency();
   const Eigen::MatrixXcd force = force_spectrum(motion, settings.shifted * order);
   const double left =
-      kLeftBySolved * settings.tolerance * size_about_mean(motion.sample(kInstants * order).x);
+      settings.left_by_solved * settings.tolerance * size_about_mean(motion.sample(kInstants * order).x);
   std::optional<ContactSpace> own;
   if (chosen) own = given.solved_for(base, force, left);
   const ContactSpace& space = own ? *own : given;
