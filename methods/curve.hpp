@@ -52,11 +52,16 @@ struct ScenePlane {
   }
 };
 
+/// What rounding makes of a multiplier, relative to 1 [-]
+inline constexpr double kMultiplierRounding = 1e-9;
+/// How near to the circle the multipliers of a motion without loss are [-]
+inline constexpr double kOnCircle = 1e-8;
+
 /// What the multipliers say of a motion.
 enum class OrbitStability {
   stable,     ///< all inside the circle
   unstable,   ///< one outside
-  elliptic,   ///< of a motion without loss: all on the circle, to 1e-8
+  elliptic,   ///< of a motion without loss: all on the circle, to kOnCircle
   undefined,  ///< an impact grazes, or impacts of one instant feel each other
   unknown,    ///< the equations of the method do not tell
 };

@@ -9,6 +9,10 @@
 
 namespace signorini {
 
+/// Instants of a period on which a motion that is no grid is looked at, where its shortest contacts count
+/// [-].
+inline constexpr int kFineInstants = 4096;
+
 /// Equidistant samples of one period at the contacts, t_i = i * period / count.
 struct Samples {
   Eigen::MatrixXd x;         ///< count x Nc, contact displacement [m]

@@ -10,6 +10,7 @@
 
 #include "methods/discretisation/fourier_series.hpp"
 #include "methods/discretisation/real_fft.hpp"
+#include "methods/solvers/constants.hpp"
 #include "methods/structure/mean_balance.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/lu.hpp"
@@ -20,8 +21,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kNothingTouches = 1e-12;  // of the mean of rigid motions in the equations, relative
-constexpr double kFelt = 1e-6;             // of x_f - g: a motion that a force of rounding must not cause
+constexpr double kFelt = 1e-6;  // of x_f - g: a motion that a force of rounding must not cause
 
 /// The runs of positive samples, each sample half a step to either side.
 std::vector<ContactInterval> positive_runs(const Eigen::VectorXd& values) {
@@ -162,7 +162,7 @@ KrylovSolve ProjectedResidual::with_balance(KrylovSolve plain, const JacobianSol
   // Nothing touches: every mean is as good.
   const LuFactors lu(matrix);
   const Eigen::VectorXd s = lu.solve(Eigen::VectorXd(along_ * means(plain.x)));
-  if (!(lu.reciprocal_condition() > 0.0) || matrix.lpNorm<Eigen::Infinity>() < kNothingTouches ||
+  if (!(lu.reciprocal_condition() > 0.0) || matrix.lpNorm<Eigen::Infinity>() < kMatrixRounding ||
       !s.allFinite())
     return {};
   plain.x += answers * s;

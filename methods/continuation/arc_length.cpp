@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/lu.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/linear_algebra/singular_values.hpp"
@@ -87,10 +88,9 @@ struct Progress {
 
 // Whether R is as small as wanted, or rounding that falls no further.
 bool solved(const AnyEquations& equations, double tolerance, double size, const Progress& at) {
-  constexpr double kNoise = 100.0;    // of the noise
   constexpr double kSettled = 1e-10;  // of x: a step from one rounding of stiff modes' forces to the next
   if (at.residual <= tolerance * size) return true;
-  const bool rounding = at.residual < kNoise * equations.noise() || at.step < kSettled * size;
+  const bool rounding = at.residual < kNoiseMargin * equations.noise() || at.step < kSettled * size;
   return at.steps >= 2 && rounding && at.residual > 0.5 * at.before;
 }
 

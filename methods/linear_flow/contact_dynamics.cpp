@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
 #include "problems/linear_algebra/orthogonal.hpp"
 #include "problems/linear_algebra/products.hpp"
@@ -16,9 +17,8 @@ namespace {
 
 // The inverse where there is one to working precision, else the pseudo-inverse; A is symmetric.
 Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& A) {
-  constexpr double kDependent = 1e-13;
   const CholeskyFactors factors(A);
-  if (factors.definite() && factors.reciprocal_condition() > kDependent) return factors.inverse();
+  if (factors.definite() && factors.reciprocal_condition() > kSingularCondition) return factors.inverse();
   return pseudo_inverse(A);
 }
 

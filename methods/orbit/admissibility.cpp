@@ -121,7 +121,6 @@ struct Check {
 
   // Contacts close with x'_- > 0, and all that push take an impulse <= 0.
   void event(std::size_t i) {
-    constexpr double kRests = 1e-13;  // of V: the speed of a part at rest beside its stop, to rounding
     const SequenceEvent& event = orbit.events[i];
     const OrbitEquations::EventCrossing& crossing = equations.crossings()[i];
     if (event.kind != ContactEvent::Kind::open) {
@@ -130,7 +129,7 @@ struct Check {
       // A spring may begin to act at any speed; what a chatter ends with is small by its nature.
       const bool tail = event.kind == ContactEvent::Kind::close && dynamics.restitution(event.contact) > 0.0;
       if (dynamics.rigid(event.contact) && !tail) result.weakest_impact = std::min(result.weakest_impact, v);
-      if (!(v > kRests))
+      if (!(v > kOrbitRounding))
         fail(fmt::format("contact {} does not close at t = {:.6g} s", named(event.contact), event.time));
     }
     for (std::size_t k = 0; k < event.pushed.size(); ++k) {

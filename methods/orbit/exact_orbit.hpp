@@ -13,8 +13,6 @@
 
 namespace signorini {
 
-/// Penetration and tension allowed, in the scales of the motion [-]
-inline constexpr double kAdmissible = 1e-11;
 /// Displacement that the summed rest of a chatter may leave out, over X [-]
 inline constexpr double kLeftOut = 1e-9;
 

@@ -269,8 +269,7 @@ std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Ind
 }
 
 std::optional<FamilyInverse> family_inverse(const OrbitEquations& equations, double reciprocal_condition) {
-  constexpr double kFamilyCondition = 1e-12;
-  if (reciprocal_condition > kFamilyCondition || !touches(equations.sequence())) return std::nullopt;
+  if (reciprocal_condition > kMatrixRounding || !touches(equations.sequence())) return std::nullopt;
   return family_inverse(equations.jacobian(), equations.size() - equations.events());
 }
 

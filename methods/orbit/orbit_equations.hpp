@@ -16,6 +16,12 @@
 
 namespace signorini {
 
+/// Penetration and tension that an orbit may have, in the scales of the motion [-]
+inline constexpr double kAdmissible = 1e-11;
+/// What rounding leaves of displacements and speeds of an orbit, over X and V, and of instants, over the
+/// period [-]
+inline constexpr double kOrbitRounding = 1e-13;
+
 /// A scene ready for exact orbits: its dynamics and the flows of the modes met so far.
 struct OrbitModel {
   /// \throws std::runtime_error with flow_obstacle(problem) if there is one

@@ -40,8 +40,6 @@ struct ActingMotion {
   }
 };
 
-constexpr int kFine = 4096;  // instants of a motion that is no grid
-
 // Forces of a period on an equidistant grid, the listed impulses apart.
 struct ForceHistory {
   Eigen::MatrixXd force;  // N x Nc
@@ -50,7 +48,7 @@ struct ForceHistory {
 };
 
 ForceHistory force_history(const ActingMotion& acting) {
-  int count = kFine, reach = 0;
+  int count = kFineInstants, reach = 0;
   if (const auto nodes = acting.motion.nodes()) {
     count = *nodes;  // a force at a node acts over one step: between the nodes there is nothing to be read
     reach = 3;
@@ -170,7 +168,7 @@ State periodic_state(OrbitModel& model, double time, std::vector<Impulse> impuls
     return {.u = y.head(dynamics.positions()), .v = y.tail(dynamics.size())};
   const Eigen::VectorXd units = state_units(flow, dynamics.scales());
   const Eigen::MatrixXd closing = scaled_closure(flow, units, model.period);
-  const int count = acting.motion.nodes().value_or(kFine);
+  const int count = acting.motion.nodes().value_or(kFineInstants);
   const long instant = std::lround(wrapped_time(time, model.period) / model.period * count);
   Eigen::VectorXd x = acting.x(count).row(instant % count).transpose();
   if (dynamics.structure().relaxing() == 0) x -= dynamics.structure().shift_at(time, 0);

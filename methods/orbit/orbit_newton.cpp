@@ -116,11 +116,9 @@ class NewtonOnOrbit {
 
 // Why the first search failed; empty where its residual is round-off all the same.
 std::string failure(const NewtonOnOrbit& newton, const DampedNewtonResult& search, double noise) {
-  constexpr double kNoise =
-      100.0;  // cancellation between the arcs of a sequence, beyond OrbitEquations::noise
   const double residual = newton.merit();
   if (newton.interrupted()) return "the time is up";
-  const bool round_off = residual <= std::max(newton.accepted(), kNoise * noise);
+  const bool round_off = residual <= std::max(newton.accepted(), kNoiseMargin * noise);
   if (newton.merging()) return fmt::format("the steps close an interval (residual {:.2g})", residual);
   if (round_off && (newton.slow() || search.end == NewtonEnd::stalled)) return {};
   if (newton.slow()) return fmt::format("the residual falls slowly (residual {:.2g})", residual);

@@ -1,5 +1,7 @@
 #include "methods/orbit/periodic_closure.hpp"
 
+#include "methods/solvers/constants.hpp"
+
 namespace signorini {
 
 Eigen::VectorXd state_units(const LinearFlow& flow, const MotionScales& scales) {
@@ -18,10 +20,7 @@ Eigen::MatrixXd scaled_closure(const LinearFlow& flow, const Eigen::VectorXd& un
 PeriodicClosure::PeriodicClosure(const LinearFlow& flow, const MotionScales& scales, double period)
     : units_(state_units(flow, scales)), lu_(scaled_closure(flow, units_, period)) {}
 
-bool PeriodicClosure::unique() const {
-  constexpr double kUnique = 1e-12;
-  return lu_.least_pivot() > kUnique;
-}
+bool PeriodicClosure::unique() const { return lu_.least_pivot() > kMatrixRounding; }
 
 Eigen::VectorXd PeriodicClosure::solve(const Eigen::VectorXd& d) const {
   return units_.cwiseProduct(lu_.solve(d.cwiseQuotient(units_)));

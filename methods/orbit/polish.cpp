@@ -169,12 +169,11 @@ std::optional<Eigen::VectorXd> step_clear_of_stops(const OrbitModel& model, cons
 // Puts the instants of events that rounding has exchanged at one; the order of the events by their instants
 // where more than rounding has.
 std::vector<std::size_t> order_in_time(OrbitGuess& path, double period) {
-  constexpr double kRounding = 1e-13;  // of the period
   std::vector<std::size_t> order(path.events.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   bool overtaken = false;
   for (std::size_t i = 1; i < path.events.size(); ++i)
-    overtaken = overtaken || path.events[i].time < path.events[i - 1].time - kRounding * period;
+    overtaken = overtaken || path.events[i].time < path.events[i - 1].time - kOrbitRounding * period;
   if (overtaken) std::ranges::stable_sort(order, {}, [&](std::size_t i) { return path.events[i].time; });
   for (std::size_t i = 1; i < path.events.size() && !overtaken; ++i)
     path.events[i].time = std::max(path.events[i].time, path.events[i - 1].time);

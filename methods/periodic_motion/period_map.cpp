@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "methods/solvers/condition_estimate.hpp"
+#include "methods/solvers/constants.hpp"
 #include "methods/solvers/damped_newton.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/linear_algebra/lu.hpp"
@@ -64,14 +65,13 @@ class PeriodEquations {
   [[nodiscard]] bool solved() const { return at_.point.residual <= accepted_; }
   [[nodiscard]] double merit() const { return at_.point.residual; }
   std::optional<double> find_step() {
-    constexpr double kSingular = 1e-13;  // reciprocal condition of I - derivative
     if (!at_.point.message.empty()) return std::nullopt;
     // P(y + s) - (y + s) = 0 to the first order: (I - P') s = P(y) - y.
     const Eigen::Index size = at_.defect.size();
     lu_ = CompleteLuFactors(Eigen::MatrixXd::Identity(size, size) - at_.point.monodromy);
     step_ = lu_.solve(at_.defect);
     // Of a matrix without full rank the estimate knows only the part that can be inverted.
-    if (!lu_.regular() || !(lu_.reciprocal_condition() > kSingular)) {
+    if (!lu_.regular() || !(lu_.reciprocal_condition() > kSingularCondition)) {
       reason_ = "a multiplier is 1 (singular)";
       return std::nullopt;
     }

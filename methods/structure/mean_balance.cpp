@@ -64,8 +64,7 @@ Eigen::MatrixXcd carried_force(const ContactReceptance& receptance, const Eigen:
 Eigen::MatrixXcd carried_spectrum(const ContactReceptance& receptance, const Trajectory& motion) {
   Eigen::MatrixXcd lambda = force_spectrum(motion, receptance.harmonics());
   if (receptance.rigid_count() == 0) return lambda;
-  constexpr int kInstants = 4096;
-  Eigen::RowVectorXd mean = motion.sample(motion.nodes().value_or(kInstants)).x.colwise().mean();
+  Eigen::RowVectorXd mean = motion.sample(motion.nodes().value_or(kFineInstants)).x.colwise().mean();
   const Eigen::MatrixXcd held = contact_motion(receptance, lambda);
   return carried_force(receptance, lambda, mean - held.row(0).real());
 }

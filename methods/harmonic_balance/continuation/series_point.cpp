@@ -101,12 +101,11 @@ Eigen::MatrixXd monodromy(const SeriesCurve& curve) {
 }
 
 OrbitStability stability_of(const SeriesCurve& curve, const Eigen::VectorXcd& multipliers) {
-  constexpr double kInside = 1e-9, kOnCircle = 1e-8;
   if (multipliers.size() == 0) return OrbitStability::unknown;
   const Eigen::ArrayXd sizes = multipliers.cwiseAbs();
   if (curve.problem().damping().norm() == 0.0 && (sizes - 1.0).abs().maxCoeff() <= kOnCircle)
     return OrbitStability::elliptic;
-  return sizes.maxCoeff() < 1.0 - kInside ? OrbitStability::stable : OrbitStability::unstable;
+  return sizes.maxCoeff() < 1.0 - kMultiplierRounding ? OrbitStability::stable : OrbitStability::unstable;
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <utility>
 
 #include "methods/hat_functions/hat_contact.hpp"
+#include "methods/solvers/constants.hpp"
 
 namespace signorini {
 
@@ -93,9 +93,7 @@ bool HatCurve::evaluate(const Eigen::VectorXd& x) {
                (border_.transpose() * sums - samples_ * scale.cwiseProduct(receptance_.value.rigid_load));
   }
   rates_ = (family_.frequency_unit / unit) * (shifted_samples(receptance_.free_response) + rate * pressure_);
-  constexpr double kOperations = 64.0;  // of rounding in a transform
-  noise_ = kOperations * std::numeric_limits<double>::epsilon() *
-           (1.0 + (x.size() > 1 ? x.head(size()).lpNorm<Eigen::Infinity>() : 0.0));
+  noise_ = kSumRounding * (1.0 + (x.size() > 1 ? x.head(size()).lpNorm<Eigen::Infinity>() : 0.0));
   return gaps_.allFinite() && rates_.allFinite();
 }
 

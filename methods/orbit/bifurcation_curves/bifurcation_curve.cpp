@@ -21,14 +21,12 @@ namespace signorini {
 
 namespace {
 
-constexpr double kZero = 1e-8;  // of a guard
-
 // The first guard that is zero where the equations are evaluated: those of events come before those of
 // contacts.
 std::optional<OrbitGuard> vanishing_guard(const ExtendedEquations& equations) {
   const std::vector<OrbitGuard> guards = survey(equations).guards;
   const auto zero =
-      std::ranges::find_if(guards, [](const auto& guard) { return std::abs(guard.value) < kZero; });
+      std::ranges::find_if(guards, [](const auto& guard) { return std::abs(guard.value) < kGuardZero; });
   return zero == guards.end() ? std::nullopt : std::optional(*zero);
 }
 
@@ -64,7 +62,7 @@ std::optional<OrbitGuard> violated(SpecialEquations& special) {
   const auto& own = special.guard();
   for (const OrbitGuard& guard : survey(special.orbits()).guards) {
     if (guard.value >= kViolated || (own && guard.same(*own))) continue;
-    if (own && guard.kind == GuardKind::clearance && guard.value > -kZero) continue;
+    if (own && guard.kind == GuardKind::clearance && guard.value > -kGuardZero) continue;
     return guard;
   }
   return std::nullopt;

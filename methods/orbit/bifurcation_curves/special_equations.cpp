@@ -119,7 +119,7 @@ std::optional<double> SpecialEquations::condition(ExtendedEquations& at) const {
 }
 
 void SpecialEquations::differentiate() {
-  constexpr double kStep = 1e-7, kBeside = 1e-5, kNoise = 100.0;  // in the units of the curve; of the noise
+  constexpr double kBeside = 1e-5;  // in the units of the curve
   const Eigen::Index n = size() - 1;
   const Eigen::VectorXd &x = here_.x, &residual = here_.residual;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n + 1, n + 2);
@@ -129,10 +129,10 @@ void SpecialEquations::differentiate() {
     return found ? found->residual : Eigen::VectorXd::Constant(n + 1, std::nan(""));
   };
   J.topRightCorner(n, 1) =
-      (beside(x + kStep * Eigen::VectorXd::Unit(n + 2, n + 1)) - residual).head(n) / kStep;
+      (beside(x + kDifference * Eigen::VectorXd::Unit(n + 2, n + 1)) - residual).head(n) / kDifference;
   slope_ = 0.0;
   if (J.allFinite()) {
-    const Eigen::MatrixXd ways = ways_to(J.topRows(n), residual.head(n), kNoise * noise());
+    const Eigen::MatrixXd ways = ways_to(J.topRows(n), residual.head(n), kNoiseMargin * noise());
     for (Eigen::Index k = 0; k < ways.cols(); ++k) {
       const double ahead = beside(x + kBeside * ways.col(k))[n],
                    behind = beside(x - kBeside * ways.col(k))[n];

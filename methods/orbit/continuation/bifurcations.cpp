@@ -20,9 +20,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kMultiplierRounding =
-    1e-9;  // of multipliers, products of what they lack to 1, and speeds over V
-
 // det A over the product of the norms of its rows.
 double relative_determinant(const Eigen::MatrixXd& A) {
   return LuFactors(A.rowwise().norm().cwiseInverse().asDiagonal() * A).determinant();
@@ -291,7 +288,6 @@ bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
 }
 
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
-  constexpr double kOnCircle = 1e-8;
   for (Eigen::Index i = 0; i < equations.orbit().count(); ++i) {
     const SequenceEvent& event = equations.orbit().event(i);
     if (event.kind != ContactEvent::Kind::open && equations.model().dynamics.halts(event.contact) &&

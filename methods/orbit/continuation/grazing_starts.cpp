@@ -15,13 +15,11 @@ namespace signorini {
 
 namespace {
 
-constexpr double kGrazes = 1e-8;  // of X and V
-
 // The orbit without the impacts that fade, or why they cannot be left out.
 std::string leave_out_impacts(SequencedOrbit& orbit, const ExtendedEquations& equations) {
   for (Eigen::Index i = orbit.count() - 1; i >= 0; --i) {
     const SequenceEvent& event = orbit.event(i);
-    if (event.kind == ContactEvent::Kind::open || equations.speed(i) >= kGrazes) continue;
+    if (event.kind == ContactEvent::Kind::open || equations.speed(i) >= kGuardZero) continue;
     if (event.kind != ContactEvent::Kind::impact) {  // at a damped stop it has opened at once
       const bool opens = i + 1 < orbit.count() && orbit.event(i + 1).contact == event.contact;
       if (!opens || equations.model().dynamics.rigid(event.contact)) return "a closing fades with it";
@@ -69,7 +67,7 @@ std::optional<GrazingOrbit> grazing_orbit(OrbitFamily& family, const TracedCurve
   if (!shortest.evaluate(grazing.base.x)) return std::nullopt;
   grazing.mark = mark_of(shortest);
   for (const OrbitGuard& guard : survey(shortest).guards) {
-    if (guard.kind == GuardKind::clearance && guard.value < kGrazes &&
+    if (guard.kind == GuardKind::clearance && guard.value < kGuardZero &&
         shortest.model().dynamics.halts(guard.index))
       grazing.touches.push_back(
           {.contact = guard.index, .phase = std::fmod(guard.phase, grazing.base.end())});

@@ -19,18 +19,17 @@ constexpr double kDoubleRoot = 1e-6;  // rounding of the magnitude of multiplier
 
 // The least magnitude that tests tell of all multipliers beyond.
 double least_known(const BifurcationTests& tests) {
-  constexpr double kFaded = 1e-2, kBeyond = 1.0 + 1e-9;
+  constexpr double kFaded = 1e-2;
   if (!tests.leading || tests.multipliers.size() == 0) return kFaded;
-  return std::max(kFaded, kBeyond * tests.multipliers.cwiseAbs().minCoeff());
+  return std::max(kFaded, (1.0 + kMultiplierRounding) * tests.multipliers.cwiseAbs().minCoeff());
 }
 
 // Of those that are no smaller than `least`.
 Magnitudes magnitudes(const Eigen::VectorXcd& multipliers, double least) {
-  constexpr double kReal = 1e-9;
   Magnitudes result;
   for (const std::complex<double>& mu : multipliers) {
     const double size = std::abs(mu);
-    const bool real = std::abs(mu.imag()) <= kReal * size;
+    const bool real = std::abs(mu.imag()) <= kMultiplierRounding * size;
     if (size < least || (!real && mu.imag() < 0.0)) continue;
     result[real ? (mu.real() > 0.0 ? 0 : 1) : kPairs].push_back(std::log(size));
   }

@@ -12,15 +12,13 @@
 #include <utility>
 
 #include "methods/orbit/family/followed_quantity.hpp"
+#include "methods/orbit/family/survey.hpp"
+#include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double kAlike =
-    1e-9;  // of an amplitude: contacts that a symmetry makes touch together, or not at all
-constexpr double kLoose = 1e-12;  // of the largest omega^2: nothing holds the mode
 
 // The state of rest, and how far each contact is from a change there.
 struct RestBesideStops {
@@ -45,7 +43,8 @@ RestBesideStops rest_with(OrbitModel& model, const std::vector<bool>& closed) {
   rest.modes = modes_where(dynamics, closed);
   if (!rest.modes.converged) return {.obstacle = "the linear modes are not to be had"};
   const Eigen::VectorXd& squares = rest.modes.values;
-  if (!(squares[0] > kLoose * squares[n - 1])) return {.obstacle = "no spring holds the structure in place"};
+  if (!(squares[0] > kMatrixRounding * squares[n - 1]))
+    return {.obstacle = "no spring holds the structure in place"};
   const Eigen::VectorXd zero = rest.u;
   Eigen::VectorXd acceleration(n);
   dynamics.acceleration(dynamics.mode(closed), 0.0, zero, zero, acceleration);
@@ -112,7 +111,7 @@ std::optional<CurveStart> start_of(OrbitFamily& family, OrbitModel& model, const
   const double most = shares.maxCoeff();
   std::vector<int> reached;
   for (int j = 0; j < shares.size(); ++j) {
-    if (shares[j] >= (1.0 - kAlike) * most) reached.push_back(j);
+    if (shares[j] >= (1.0 - kTouches) * most) reached.push_back(j);
   }
   const SequencedOrbit orbit =
       with_beginnings(orbit_of_mode(family, rest, mode, 1.0 / most), reached, amplitudes, model.dynamics);
@@ -149,7 +148,7 @@ LinearModeStarts linear_mode_starts(OrbitFamily& family) {
   for (Eigen::Index r = 0; r < open.size(); ++r) {
     const double frequency = std::sqrt(rest.modes.values[r]);
     if (open[r] > scene.high() || held[r] < scene.low()) continue;
-    if ((rest.amplitudes.col(r).cwiseAbs().array() <= kAlike * largest.array()).all()) continue;
+    if ((rest.amplitudes.col(r).cwiseAbs().array() <= kTouches * largest.array()).all()) continue;
     if (auto start = start_of(family, *model, rest, r))
       result.starts.push_back({.frequency = frequency,
                                .energy = energy_of_start(*model, *start, family.units()),
@@ -175,7 +174,7 @@ std::optional<ParameterRange> free_motion_band(const Problem& problem) {
   const RestBesideStops rest = rest_of(model);
   if (rest.obstacle.empty()) high = std::max(high, kBeside * std::sqrt(rest.modes.values[last]));
   double low = kBelow * open[0];
-  if (!(low * low > kLoose * high * high))
+  if (!(low * low > kMatrixRounding * high * high))
     low = rest.obstacle.empty() ? kInFlight * std::sqrt(rest.modes.values[0]) : 0.0;
   if (!(low > 0.0 && high > low)) return std::nullopt;
   return ParameterRange{.low = low, .high = high};

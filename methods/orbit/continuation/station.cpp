@@ -260,10 +260,7 @@ class DipSearch {
   }
 
   // A maximum that an impact leaves behind as it fades, and that is gone where it has a speed.
-  static bool left_by_an_event(double value) {
-    constexpr double kTouching = 1e-8;
-    return value < kTouching;
-  }
+  static bool left_by_an_event(double value) { return value < kGuardZero; }
 
   // The least bound of those guards between two points that may be lower there than at both of them.
   GuardCubic::Lowest lowest(const End& a, const End& b) const {

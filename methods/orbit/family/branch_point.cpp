@@ -106,7 +106,7 @@ std::optional<BranchPointSolution> solve_branch_point(ExtendedEquations& equatio
     settled = length < kSettled * size || (k >= 2 && length < 1e-9 * size && length > 0.5 * before);
     before = length;
   }
-  const double zero = std::max(kVanishes * size, 100.0 * equations.noise());
+  const double zero = std::max(kVanishes * size, kNoiseMargin * equations.noise());
   if (!settled || !(std::abs(nu) < zero)) return std::nullopt;
   const auto directions = isotropic_directions(system.curvature());
   if (!directions) return std::nullopt;

@@ -59,21 +59,21 @@ bool follows_an_impact(const SequencedOrbit& orbit, Eigen::Index i) {
 
 // The orbit with one impact more or less at one of the closings.
 ResolvedChatter one_step(const ExtendedEquations& equations) {
-  constexpr double kMostRest = 0.5, kByFar = 0.5;  // shares: of the contact, of kChatterLeftOut
+  constexpr double kMostRest = 0.5, kByFar = 0.5;  // shares: of the contact, of kAdmissible
   const SequencedOrbit& orbit = equations.orbit();
   for (const ChatterEnd& end : chatter_ends(equations)) {
     const double e = equations.model().dynamics.restitution(orbit.event(end.closing).contact);
     if (orbit.event(end.closing).pushed.size() != 1)
       return {.obstacle = "its impacts are felt by contacts that rest"};
     if (e == 1.0) return {.obstacle = "elastic impacts that fade have no limit to add to"};
-    if (end.left_out > kChatterLeftOut) {
+    if (end.left_out > kAdmissible) {
       if (!(end.rest < kMostRest)) return {.obstacle = kChatterLimit};
       auto more = with_one_more(equations, end);
       if (!more) return {.obstacle = "another event comes before its end"};
       return {.orbit = std::move(more)};
     }
     // Each impact makes the error smaller by e^2.
-    if (end.left_out < kByFar * e * e * kChatterLeftOut && follows_an_impact(orbit, end.closing))
+    if (end.left_out < kByFar * e * e * kAdmissible && follows_an_impact(orbit, end.closing))
       return {.orbit = with_one_less(orbit, end)};
   }
   return {};
@@ -123,7 +123,7 @@ ResolvedChatter resolve_chatter(const ExtendedEquations& equations) {
 bool leaves_out_too_much(const ExtendedEquations& equations) {
   constexpr double kTooMuch = 30.0;  // times
   return std::ranges::any_of(chatter_ends(equations),
-                             [](const ChatterEnd& end) { return end.left_out > kTooMuch * kChatterLeftOut; });
+                             [](const ChatterEnd& end) { return end.left_out > kTooMuch * kAdmissible; });
 }
 
 bool ends_chatter(const ExtendedEquations& equations, const OrbitGuard& guard) {

@@ -12,10 +12,6 @@
 
 namespace signorini {
 
-/// What the impacts after the last one resolved may displace, over X: as far as any orbit of a curve may pass
-/// its stop [-]
-inline constexpr double kChatterLeftOut = -kViolated;
-
 /// Why a curve ends where chatter stops completing: infinitely many impacts graze there, with no finite
 /// sequence beyond.
 inline constexpr const char* kChatterLimit = "chatter limit";
@@ -46,7 +42,7 @@ struct ResolvedChatter {
                               ///< than half the contact
 };
 
-/// The same orbit, to what is left out, with impacts added before each closing until kChatterLeftOut is kept,
+/// The same orbit, to what is left out, with impacts added before each closing until kAdmissible X is kept,
 /// or taken away while it is kept by far; solved at its value of the parameter.
 ///
 /// \param equations  evaluated at the orbit

@@ -163,8 +163,7 @@ class Surveyor {
 
   void arc(Eigen::Index part, int j, double begin, double end) {
     const LinearArc& arc = equations_.arc(part);
-    constexpr double kUnseen = 1e-13;  // share of X: rounding, and modes that do not move an extreme
-    const std::vector<FadingRate> terms = arc.fading_rates(kUnseen);
+    const std::vector<FadingRate> terms = arc.fading_rates(kOrbitRounding);  // less moves no extreme
     const bool closed = arc.mode().closed(j);
     const double gap = dynamics_.structure().gaps[j];
     const LimitedOutput x{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
@@ -173,7 +172,7 @@ class Surveyor {
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
       result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
       result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
-      if (at.maximum && !closed && !(at.time < resting && std::abs(at.value) < kUnseen))
+      if (at.maximum && !closed && !(at.time < resting && std::abs(at.value) < kOrbitRounding))
         lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time), part);
     }
     if (!closed) return;

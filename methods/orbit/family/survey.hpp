@@ -10,9 +10,10 @@
 
 namespace signorini {
 
-/// A guard below this is violated: the orbit is not admissible, having passed its stop by more than any orbit
-/// of a curve may [-]
-inline constexpr double kViolated = -1e-11;
+/// A guard below this is violated: the orbit is not admissible [-]
+inline constexpr double kViolated = -kAdmissible;
+/// A guard as near to zero as this is zero where a point of a curve was located by it [-]
+inline constexpr double kGuardZero = 1e-8;
 /// How near to zero a guard is where contacts touch or let go, and what a symmetry holds together parts [-]
 inline constexpr double kTouches = 1e-9;
 

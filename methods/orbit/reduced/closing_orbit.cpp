@@ -8,12 +8,11 @@
 namespace signorini {
 
 std::vector<int> pushing_contacts(const Trajectory& motion) {
-  constexpr int kInstants = 4096;
   std::vector<int> pushing;
   for (const ContactEvent& event : motion.events().value_or(std::vector<ContactEvent>{}))
     pushing.push_back(event.contact);
   for (const Impulse& impulse : motion.impulses()) pushing.push_back(impulse.contact);
-  const Eigen::MatrixXd force = motion.sample(motion.nodes().value_or(kInstants)).force;
+  const Eigen::MatrixXd force = motion.sample(motion.nodes().value_or(kFineInstants)).force;
   for (int j = 0; j < static_cast<int>(force.cols()); ++j) {
     if (!force.col(j).isZero(0.0)) pushing.push_back(j);
   }

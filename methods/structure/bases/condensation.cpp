@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,14 +14,12 @@ namespace signorini {
 
 namespace {
 
-constexpr double kRoundOff = 64.0 * std::numeric_limits<double>::epsilon();
-
 // Whether rows or columns of A at the picked coordinates hold more than the rounding of an assembly, in which
 // element contributions that should cancel do so only to precision: that of a matrix with entries up to
 // `scale`.
 bool touches(const SparseMatrix& A, const SparseMatrix& picked, double scale) {
-  return largest_entry(SparseMatrix(A * picked)) > kRoundOff * scale ||
-         largest_entry(SparseMatrix(picked.transpose() * A)) > kRoundOff * scale;
+  return largest_entry(SparseMatrix(A * picked)) > kSumRounding * scale ||
+         largest_entry(SparseMatrix(picked.transpose() * A)) > kSumRounding * scale;
 }
 
 // beta of each massless coordinate, D_b. = beta K_b., D_.b = K_.b beta: that of all where there is one. Empty
@@ -36,14 +33,14 @@ std::optional<Eigen::VectorXd> relaxation_at(const Problem& problem, const Spars
   beta.setConstant(D_b.cwiseProduct(K_b).sum() / K_b.squaredNorm());
   if (beta[0] > 0.0 && !touches(SparseMatrix(D - beta[0] * K), b, scale)) return beta;
   for (Eigen::Index k = 0; k < beta.size(); ++k) {
-    const bool damped = D_b.col(k).norm() > kRoundOff * scale;
+    const bool damped = D_b.col(k).norm() > kSumRounding * scale;
     beta[k] = damped ? D_b.col(k).dot(K_b.col(k)) / K_b.col(k).squaredNorm() : 0.0;
   }
   const SparseMatrix of_columns = D_b - SparseMatrix(K_b * beta.asDiagonal());
   const SparseMatrix of_rows =
       SparseMatrix(b.transpose() * D) - SparseMatrix(beta.asDiagonal() * SparseMatrix(b.transpose() * K));
   const double off = std::max(largest_entry(of_columns), largest_entry(of_rows));
-  if (!(beta.minCoeff() >= 0.0) || off > kRoundOff * scale) return std::nullopt;
+  if (!(beta.minCoeff() >= 0.0) || off > kSumRounding * scale) return std::nullopt;
   return beta;
 }
 
