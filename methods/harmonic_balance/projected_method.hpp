@@ -47,8 +47,9 @@ class FollowedMethod : public ProjectedMethod, public CurveMethod {
  public:
   static constexpr std::string_view kLimits =
       "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some 40 "
-      "harmonics, 1 % some 300. With few harmonics some series have impacts of no motion.";  ///< for people
-  static constexpr double kOrder = 1.0;  ///< of x in the ladder, with impacts [-]
+      "harmonics, 1 % some 300. With few harmonics a solution may show "
+      "impacts that no exact motion has.";  ///< for people
+  static constexpr double kOrder = 1.0;     ///< of x in the ladder, with impacts [-]
 
   [[nodiscard]] const CurveMethod* curve() const final { return this; }
   /// Over the frequency of the load.
