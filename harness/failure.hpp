@@ -14,8 +14,7 @@ class OneLineError : public std::runtime_error {
   using std::runtime_error::runtime_error;
   /// What fmt::format makes of the text and what it has places for.
   template <class... Parts>
-    requires(sizeof...(Parts) > 0)
-  explicit OneLineError(fmt::format_string<Parts...> text, Parts&&... parts)
+  requires(sizeof...(Parts) > 0) explicit OneLineError(fmt::format_string<Parts...> text, Parts&&... parts)
       : std::runtime_error(fmt::vformat(text, fmt::make_format_args(parts...))) {}
 };
 

@@ -16,7 +16,7 @@ namespace {
 void print_table(const std::vector<MachineProperty>& properties) {
   Table table{{"what", "found", "times", "why, and what to do"}, {}};
   for (const MachineProperty& one : properties) {
-    const std::string verdict = !one.known ? "not told" : one.good ? "good" : "unreliable";
+    const std::string verdict = !one.known ? "-" : one.good ? "good" : "unreliable";
     table.rows.push_back({one.name, one.value, verdict, one.advice.empty() ? "nothing" : one.advice});
   }
   const auto bad = std::ranges::count(properties, false, &MachineProperty::good);

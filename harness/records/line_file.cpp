@@ -8,10 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <ext/stdio_filebuf.h>
-#include <istream>
-#include <limits>
-#include <memory>
 #include <system_error>
 #include <thread>
 
@@ -53,34 +49,84 @@ Descriptor open_to_read(const std::filesystem::path& file) {
   return descriptor;
 }
 
+/// A file, block by block.
+class Blocks {
+ public:
+  explicit Blocks(const std::filesystem::path& file) : file_(file), descriptor_(open_to_read(file)) {}
+
+  /// The next block; empty at the end.
+  std::string_view next() {
+    ssize_t count = -1;
+    do {
+      count = read(descriptor_.number(), buffer_.data(), buffer_.size());
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) {
+      throw UsageError("file = {} (must be a readable file: {})", file_.string(),
+                       std::generic_category().message(errno));
+    }
+    return std::string_view(buffer_).substr(0, static_cast<std::size_t>(count));
+  }
+
+ private:
+  static constexpr std::size_t kBlock = std::size_t{1} << 18U;
+  std::filesystem::path file_;
+  Descriptor descriptor_;
+  std::string buffer_ = std::string(kBlock, '\0');
+};
+
+/// The line that is being read: its beginning comes from earlier blocks, its end from this one.
+class OpenLine {
+ public:
+  void add(std::string_view piece) {
+    size_ += piece.size();
+    if (size_ <= kLongestLine) text_ += piece;
+  }
+
+  /// The whole line, of which `last` is the end. \throws BadRecord if it is too long
+  std::string_view closed(std::string_view last) {
+    if (size_ == 0 && last.size() <= kLongestLine) return last;
+    add(last);
+    if (size_ > kLongestLine) throw BadRecord("line = {} bytes (must be at most {})", size_, kLongestLine);
+    return text_;
+  }
+
+  void clear() {
+    text_.clear();
+    size_ = 0;
+  }
+
+ private:
+  std::string text_;
+  std::uint64_t size_ = 0;  // with what is too much
+};
+
 }  // namespace
 
 std::uint64_t read_lines(const std::filesystem::path& file, const std::function<void(const Line&)>& take,
                          std::string_view remedy) {
-  __gnu_cxx::stdio_filebuf<char> blocks(open_to_read(file).release(), std::ios::in, std::size_t{1} << 18U);
-  std::istream lines(&blocks);
-  const auto text = std::make_unique_for_overwrite<char[]>(kLongestLine + 1);
-  std::uint64_t begin = 0;
-  for (std::uint64_t number = 1;; ++number) {
-    lines.getline(text.get(), kLongestLine + 1);
-    auto size = static_cast<std::uint64_t>(lines.gcount());
-    if (lines.fail() && !lines.eof() && !lines.bad()) {  // too long
-      lines.clear();
-      lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-      size += static_cast<std::uint64_t>(lines.gcount());
+  Blocks blocks(file);
+  OpenLine open;
+  std::uint64_t begin = 0, number = 0, position = 0;  // of the line, its number, and of the block
+  for (std::string_view block = blocks.next(); !block.empty(); block = blocks.next()) {
+    const std::uint64_t next_block = position + block.size();
+    for (std::size_t end = block.find('\n'); end != std::string_view::npos; end = block.find('\n')) {
+      const std::uint64_t after = position + end + 1;
+      ++number;
+      try {
+        const std::uint64_t size = after - 1 - begin;
+        if (size > 0) take({.text = open.closed(block.substr(0, end)), .place = {begin, size}});
+      } catch (const BadRecord& error) {
+        fmt::print(stderr, "{}:{}: {}; this line is left out, and {}\n", as_message(file.string()), number,
+                   as_message(error.what()), remedy);
+      }
+      open.clear();
+      block.remove_prefix(end + 1);
+      begin = position = after;
     }
-    if (lines.bad()) throw UsageError("file = {} (must be a readable file)", file.string());
-    if (lines.eof()) return begin;
-    --size;  // its break
-    try {
-      if (size > kLongestLine) throw BadRecord("line = {} bytes (must be at most {})", size, kLongestLine);
-      if (size > 0) take({.text = {text.get(), size}, .place = {begin, size}});
-    } catch (const BadRecord& error) {
-      fmt::print(stderr, "{}:{}: {}; this line is left out, and {}\n", as_message(file.string()), number,
-                 as_message(error.what()), remedy);
-    }
-    begin += size + 1;
+    open.add(block);
+    position = next_block;
   }
+  return begin;
 }
 
 StoredLines::StoredLines(const std::filesystem::path& file) : file_(file), descriptor_(open_to_read(file)) {}

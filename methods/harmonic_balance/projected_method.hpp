@@ -63,7 +63,8 @@ class FollowedMethod : public ProjectedMethod, public CurveMethod {
   static constexpr MethodText completed(MethodText text) {
     text.limits =
         "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some "
-        "40 harmonics, 1 % some 300. With few harmonics some series have impacts of no motion.";
+        "40 harmonics, 1 % some 300. With few harmonics a solution may show impacts that no exact motion "
+        "has.";
     text.order = 1.0;
     text.former = kOptionsOfClosure;
     return ProjectedMethod::completed(text);

@@ -256,7 +256,8 @@ std::vector<Push> pushes_of(const std::vector<ContactEvent>& events, double peri
 std::vector<bool> pushing_throughout(const ActingMotion& acting) {
   constexpr int kInstants = 64;
   std::vector<bool> pushing;
-  for (const auto& force : acting.force(kInstants).eval().colwise())
+  const Eigen::MatrixXd forces = acting.force(kInstants);
+  for (const auto& force : forces.colwise())
     pushing.push_back(force.maxCoeff() < 0.0);
   return pushing;
 }

@@ -160,11 +160,13 @@ ScreenLines others_lines(std::span<const SceneGroup> groups, const std::vector<A
     items.push_back(fmt::format("{} {} of {}", one.configuration, one.scenes, one.of));
   }
   if (items.empty()) return {};
-  ScreenLines lines = wrapped_text(
-      "Other methods reach 1 % on these scenes, of those whose law they represent: " + joined(items, ", ") +
-      ".");
   constexpr std::size_t kMostLines = 3;
-  lines.resize(std::min(lines.size(), kMostLines));
+  const std::string words = "Other methods reach 1 % on these scenes, of those whose law they represent: ";
+  ScreenLines lines = wrapped_text(words + joined(items, ", ") + ".");
+  for (std::size_t more = 1; lines.size() > kMostLines && items.size() > 1; ++more) {
+    items.pop_back();
+    lines = wrapped_text(fmt::format("{}{} and {} more.", words, joined(items, ", "), more));
+  }
   for (ScreenLine& line : lines) line.text = clipped(line.text, kTerminalWidth);
   return lines;
 }

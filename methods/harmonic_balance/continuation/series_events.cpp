@@ -58,8 +58,10 @@ class StepSearch {
     SeriesCurve& series = curve_.series();
     const AnyEquations motions = symmetric_motions(series);
     const CurveStep step{here_.x, here_.slope, here_.slope.dot(next_.x - here_.x)};
-    const std::function<std::optional<double>()> test = [&] { return pitchfork_test(series); };
-    const auto at_end = [&](const Eigen::VectorXd& x) { return series.evaluate(x) ? *test() : 0.0; };
+    const auto test = [&](const Eigen::VectorXd&) -> std::optional<double> { return pitchfork_test(series); };
+    const auto at_end = [&](const Eigen::VectorXd& x) {
+      return series.evaluate(x) ? pitchfork_test(series) : 0.0;
+    };
     const double first = at_end(here_.x), last = at_end(next_.x);
     if (!(first * last < 0.0)) return;
     const auto length = locate(motions, step, test, first, last);

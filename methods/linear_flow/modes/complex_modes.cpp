@@ -21,7 +21,7 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-constexpr long double kRounding = std::numeric_limits<long double>::epsilon();
+constexpr long double kExtendedRounding = std::numeric_limits<long double>::epsilon();
 
 long double skew_part(const ExtendedMatrix& A) {
   long double sum = 0.0L;
@@ -33,7 +33,7 @@ long double skew_part(const ExtendedMatrix& A) {
 constexpr long double kLost = 1e-15L;  // of the least l_k
 
 long double lost_of(long double largest, Index n) {
-  return kRounding * static_cast<long double>(n) * largest;
+  return kExtendedRounding * static_cast<long double>(n) * largest;
 }
 
 // Whether the l_k spread so far that the least of them would be lost in rounding: they reach from below the

@@ -1,9 +1,8 @@
-#include "harness/run/runner.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "harness/run/runner.hpp"
 #include "tests/harness/fake_method.hpp"
 
 namespace signorini::problem_digest_test {
