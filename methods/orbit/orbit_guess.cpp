@@ -257,8 +257,7 @@ std::vector<bool> pushing_throughout(const ActingMotion& acting) {
   constexpr int kInstants = 64;
   std::vector<bool> pushing;
   const Eigen::MatrixXd forces = acting.force(kInstants);
-  for (const auto& force : forces.colwise())
-    pushing.push_back(force.maxCoeff() < 0.0);
+  for (const auto& force : forces.colwise()) pushing.push_back(force.maxCoeff() < 0.0);
   return pushing;
 }
 
