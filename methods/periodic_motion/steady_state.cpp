@@ -232,22 +232,23 @@ class March {
     return std::nullopt;
   }
 
-  // An irregular motion may pass a stable orbit, nearer at every turn for a while. It comes to it where the
-  // last turns are linear; else it is marched on, never further away than now, until they are or the distance
-  // has fallen by the root of what the slowest multiplier promises.
+  // An irregular motion may pass a stable orbit, nearer at every turn for a while. It comes to it where these
+  // turns are linear, too; else it is marched on, never further away than now, until they are, or the
+  // distance has fallen by the root of what the slowest multiplier promises.
   bool comes_to(const FixedPoint& orbit) {
     const Neighbourhood near(orbit, map_.scaled(orbit.start.state), options_.accepted());
     if (!near.attracts(past_)) return false;
     const auto [turns, promised] = near.promise();
     const double start = near.distance(past_.back());
     double now = start;
-    for (int turn = 0; turn < turns && !near.is_linear(past_); ++turn) {
+    const auto surely = [&] { return now == 0.0 || (near.is_linear(past_) && near.attracts(past_)); };
+    for (int turn = 0; turn < turns && !surely(); ++turn) {
       if (marched_ + orbit.order > options_.max_iterations) return false;
       for (int k = 0; k < orbit.order; ++k) step();
       now = near.distance(past_.back());
       if (now > start) return false;
     }
-    return near.is_linear(past_) || now <= std::sqrt(promised) * start;
+    return surely() || now <= std::sqrt(promised) * start;
   }
 
   // Whether the march stays on an unstable orbit after long: it is then pushed off.
