@@ -32,9 +32,11 @@ double nearest_event(const std::vector<ContactEvent>& events, double phase, doub
   return nearest;
 }
 
-// The smallest order at which the motion from the orbit repeats itself, if any does.
+// The smallest order at which the motion from the orbit repeats itself, if any does: the march has shown that
+// one of order 1 does.
 std::optional<int> order_when_marched_on(PeriodMap& map, const FixedPoint& orbit, double accepted) {
-  const int turns = std::max(4, 3 * orbit.order);
+  if (orbit.order == 1) return 1;
+  const int turns = 3 * orbit.order;
   FlowState state = orbit.start;
   std::vector<Eigen::VectorXd> states{map.scaled(state.state)};
   for (int k = 0; k < turns; ++k) {
