@@ -44,8 +44,10 @@ struct Estimate {
 };
 
 /// The mean of a stationary sequence whose neighbours depend on each other: that of at most 20 batches of
-/// successive values, whose means are taken as independent, with the quantile of Student's distribution
-/// [schmeiser1982]. The error of one value is 0. Requires at least one value.
+/// successive values, with the quantile of Student's distribution [schmeiser1982]. Where means of
+/// neighbouring batches are correlated, as of a sequence that remembers longer than a batch, the error grows
+/// by the factor of an autoregressive one [tafazzoli2011]. The error of one value is 0. Requires at least one
+/// value.
 Estimate batch_mean(const std::vector<double>& values);
 
 }  // namespace signorini

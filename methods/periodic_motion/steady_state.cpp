@@ -32,9 +32,11 @@ double nearest_event(const std::vector<ContactEvent>& events, double phase, doub
   return nearest;
 }
 
-// The smallest order at which the motion from the orbit repeats itself, if any does.
+// The smallest order at which the motion from the orbit repeats itself, if any does: the march has shown that
+// one of order 1 does.
 std::optional<int> order_when_marched_on(PeriodMap& map, const FixedPoint& orbit, double accepted) {
-  const int turns = std::max(4, 3 * orbit.order);
+  if (orbit.order == 1) return 1;
+  const int turns = 3 * orbit.order;
   FlowState state = orbit.start;
   std::vector<Eigen::VectorXd> states{map.scaled(state.state)};
   for (int k = 0; k < turns; ++k) {
@@ -73,34 +75,73 @@ std::optional<Eigen::VectorXd> beside_unstable(const FixedPoint& orbit, const Ei
   return fixed + kPush * modes.vectors.col(fastest).real().normalized();
 }
 
-// In the basis of the eigenvectors a linear map with multipliers inside the unit circle shrinks every
-// distance; the states marched must do so too, at least by a third of what the slowest multiplier promises.
-bool contracts_to(const FixedPoint& orbit, const Eigen::VectorXd& fixed,
-                  const std::deque<Eigen::VectorXd>& past, double accepted) {
-  constexpr double kShare = 1.0 / 3.0;
-  constexpr double kIllConditioned = 1e8;
-  Eigen::MatrixXcd to_modes = Eigen::MatrixXcd::Identity(fixed.size(), fixed.size());
-  const GeneralEigen modes = general_eigen(orbit.monodromy);
-  if (modes.converged) {
+// An orbit as the states marched near it see it: in the basis of the eigenvectors of its monodromy matrix, in
+// which a linear map with multipliers inside the unit circle shrinks every distance.
+class Neighbourhood {
+ public:
+  Neighbourhood(const FixedPoint& orbit, Eigen::VectorXd fixed, double accepted)
+      : orbit_(orbit),
+        fixed_(std::move(fixed)),
+        accepted_(accepted),
+        slowest_(largest_magnitude(orbit.multipliers)),
+        to_modes_(Eigen::MatrixXcd::Identity(fixed_.size(), fixed_.size())) {
+    constexpr double kIllConditioned = 1e8;
+    const GeneralEigen modes = general_eigen(orbit.monodromy);
+    if (!modes.converged) return;
     const CompleteComplexLuFactors lu(modes.vectors);
-    if (lu.reciprocal_condition() * kIllConditioned > 1.0) to_modes = lu.inverse();
+    if (lu.reciprocal_condition() * kIllConditioned > 1.0) to_modes_ = lu.inverse();
   }
-  std::vector<double> distance;
-  for (const Eigen::VectorXd& state : past) {
-    const Eigen::VectorXd offset = state - fixed;
-    const double length = offset.lpNorm<Eigen::Infinity>();
-    // At the noise of the integration nothing shrinks any more.
-    distance.push_back(length <= accepted ? 0.0 : (to_modes * offset).norm());
+
+  // At the noise of the integration nothing shrinks any more.
+  [[nodiscard]] double distance(const Eigen::VectorXd& state) const {
+    const Eigen::VectorXd offset = state - fixed_;
+    return offset.lpNorm<Eigen::Infinity>() <= accepted_ ? 0.0 : (to_modes_ * offset).norm();
   }
-  const double factor = 1.0 - kShare * (1.0 - largest_magnitude(orbit.multipliers));
-  const auto p = static_cast<std::size_t>(orbit.order);
-  const std::size_t turns = std::min((distance.size() - 1) / p, kTurns);
-  for (std::size_t turn = 0; turn < turns; ++turn) {
-    const std::size_t i = distance.size() - 1 - turn * p;
-    if (distance[i] > factor * distance[i - p]) return false;
+
+  // Each of the last turns brings the motion nearer, at least by a third of what the slowest multiplier
+  // promises.
+  [[nodiscard]] bool attracts(const std::deque<Eigen::VectorXd>& past) const {
+    constexpr double kShare = 1.0 / 3.0;
+    const double factor = 1.0 - kShare * (1.0 - slowest_);
+    return of_each_turn(past, [&](const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
+      return distance(after) <= factor * distance(before);
+    });
   }
-  return turns == kTurns;
-}
+
+  // Each of the last turns leads where the monodromy matrix does, but for a tenth of the distance.
+  [[nodiscard]] bool is_linear(const std::deque<Eigen::VectorXd>& past) const {
+    constexpr double kMisfit = 0.1;
+    return of_each_turn(past, [&](const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
+      const Eigen::VectorXd misfit = after - fixed_ - orbit_.monodromy * (before - fixed_);
+      return distance(after) == 0.0 || (to_modes_ * misfit).norm() <= kMisfit * distance(before);
+    });
+  }
+
+  // Turns in which the slowest multiplier makes a tenth of a distance, and what it makes of it in them.
+  [[nodiscard]] std::pair<int, double> promise() const {
+    constexpr double kTenth = 0.1, kMostTurns = 32.0;
+    const double turns = std::clamp(std::ceil(std::log(kTenth) / std::log(slowest_)), 1.0, kMostTurns);
+    return {static_cast<int>(turns), std::max(kTenth, std::pow(slowest_, turns))};
+  }
+
+ private:
+  template <typename Holds>
+  [[nodiscard]] bool of_each_turn(const std::deque<Eigen::VectorXd>& past, const Holds& holds) const {
+    const auto p = static_cast<std::size_t>(orbit_.order);
+    if (past.size() <= kTurns * p) return false;
+    for (std::size_t turn = 0; turn < kTurns; ++turn) {
+      const std::size_t i = past.size() - 1 - turn * p;
+      if (!holds(past[i - p], past[i])) return false;
+    }
+    return true;
+  }
+
+  const FixedPoint& orbit_;
+  Eigen::VectorXd fixed_;
+  double accepted_;
+  double slowest_;
+  Eigen::MatrixXcd to_modes_;
+};
 
 // Marching with its memory of the last states, newest last.
 class March {
@@ -180,9 +221,7 @@ class March {
       ++tries;
       FixedPoint orbit = find_fixed_point(map_, state_, order, newton, expired_);
       if (orbit.converged && leaves(orbit)) return std::nullopt;
-      if (!orbit.converged || !(largest_magnitude(orbit.multipliers) < 1.0) ||
-          !contracts_to(orbit, map_.scaled(orbit.start.state), past_, options_.accepted()))
-        continue;
+      if (!orbit.converged || !(largest_magnitude(orbit.multipliers) < 1.0) || !comes_to(orbit)) continue;
       const auto smallest = order_when_marched_on(map_, orbit, options_.accepted());
       if (!smallest) continue;
       // The matrix of more periods than the motion's own is a power of its monodromy matrix.
@@ -193,6 +232,25 @@ class March {
       return orbit;
     }
     return std::nullopt;
+  }
+
+  // An irregular motion may pass a stable orbit, nearer at every turn for a while. It comes to it where these
+  // turns are linear, too; else it is marched on, never further away than now, until they are, or the
+  // distance has fallen by the root of what the slowest multiplier promises.
+  bool comes_to(const FixedPoint& orbit) {
+    const Neighbourhood near(orbit, map_.scaled(orbit.start.state), options_.accepted());
+    if (!near.attracts(past_)) return false;
+    const auto [turns, promised] = near.promise();
+    const double start = near.distance(past_.back());
+    double now = start;
+    const auto surely = [&] { return now == 0.0 || (near.is_linear(past_) && near.attracts(past_)); };
+    for (int turn = 0; turn < turns && !surely(); ++turn) {
+      if (marched_ + orbit.order > options_.max_iterations) return false;
+      for (int k = 0; k < orbit.order; ++k) step();
+      now = near.distance(past_.back());
+      if (now > start) return false;
+    }
+    return surely() || now <= std::sqrt(promised) * start;
   }
 
   // Whether the march stays on an unstable orbit after long: it is then pushed off.

@@ -103,6 +103,19 @@ TEST(LongMotion, OfATubeBetweenStopsPushesItsEndAsOthersHaveIt) {
   EXPECT_NEAR(std::hypot(stops[6].force_rms->value, stops[7].force_rms->value), 24.2, 0.6);
 }
 
+// A chaotic motion that passes a stable motion of order 1 (largest multiplier 0.886) again and again: marches
+// of another program over 21,000 periods never end there.
+TEST(LongMotion, IsNotPeriodicWhereItPassesAStableOrbit) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 0.82495, damping = 0.019289, stiffness = 1.5791 }
+forcing = { frequency = 0.608718, term = [{ dof = 0, cos = 1.0 }] }
+law = { penalty = 395.8 }
+contact = [{ dof = 0, gap = 0.2263 }, { normal = [[0, -1.0]], gap = 0.09217 }])"),
+             {.transient = 1200, .periods = 400});
+  EXPECT_EQ(found.motion.verdict, LongRun::irregular)
+      << found.motion.reason << " after " << found.motion.settled_after;
+}
+
 // Two masses and a spring stop (NLvib, example 03) past the Neimark-Sacker point at 0.61860687 rad/s: one of
 // few random states goes to the torus, others to a motion of order 4.
 TEST(LongMotion, ATorusHasTheExponentZero) {

@@ -28,6 +28,24 @@ TEST(LyapunovSum, KnowsHenonsMap) {
   EXPECT_NEAR(exponents[0].value + exponents[1].value, std::log(0.3), 1e-10);
 }
 
+// x -> 4 x (1 - x), whose exponent is log 2 for almost every start.
+TEST(LyapunovSum, ErrorsHoldTheExponentOfTheLogisticMap) {
+  constexpr int kTrials = 200;
+  int inside = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    LyapunovSum sum(1, 1);
+    double x = 0.1 + 0.0037 * trial;
+    for (int n = 0; n < 1000; ++n) {
+      sum.take(Eigen::MatrixXd::Constant(1, 1, 4.0 * (1.0 - 2.0 * x)) * sum.frame());
+      x = 4.0 * x * (1.0 - x);
+    }
+    const Estimate exponent = sum.exponents().front();
+    EXPECT_LT(exponent.error, 0.1);
+    inside += std::abs(exponent.value - std::log(2.0)) <= exponent.error ? 1 : 0;
+  }
+  EXPECT_NEAR(inside, 0.95 * kTrials, 0.05 * kTrials);
+}
+
 TEST(LyapunovSum, LeavesOutStepsWithoutADerivative) {
   LyapunovSum sum(3, 1);
   for (int n = 0; n < 40; ++n) sum.take(2.0 * sum.frame());
