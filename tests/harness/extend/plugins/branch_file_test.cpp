@@ -1,8 +1,7 @@
-#include "harness/extend/plugins/curve_exchange.hpp"
-
 #include <gtest/gtest.h>
 
 #include "harness/extend/plugins/command_method.hpp"
+#include "harness/extend/plugins/curve_exchange.hpp"
 #include "harness/plan/scene_choice.hpp"
 #include "problems/files/toml_tree.hpp"
 #include "problems/scene/scene_file.hpp"
