@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "methods/aft_hbm/aft_hbm.hpp"
@@ -70,8 +69,9 @@ const MethodEntry& find_method(std::string_view name) {
   const std::vector<MethodEntry>& entries = all_methods();
   const auto entry = std::ranges::find(entries, name, &MethodEntry::name);
   if (entry != entries.end()) return *entry;
-  throw InvalidOption(fmt::format("method = {} (must be one of {})", name,
-                                  fmt::join(entries | std::views::transform(&MethodEntry::name), ", ")));
+  std::string names;
+  for (const MethodEntry& known : entries) names += (names.empty() ? "" : ", ") + known.name;
+  throw InvalidOption(fmt::format("method = {} (must be one of {})", name, names));
 }
 
 }  // namespace signorini

@@ -71,13 +71,13 @@ int parse_name(std::string_view key, std::string_view text, std::span<const std:
 std::string print(const Scaled& value);
 
 template <class T>
-constexpr bool is_optional = false;
+constexpr bool kIsOptional = false;
 template <class T>
-constexpr bool is_optional<std::optional<T>> = true;
+constexpr bool kIsOptional<std::optional<T>> = true;
 
 template <class T>
 void parse_into(T& field, std::string_view key, std::string_view text) {
-  if constexpr (is_optional<T>) {
+  if constexpr (kIsOptional<T>) {
     field.reset();
     if (text != "auto") parse_into(field.emplace(), key, text);
   } else if constexpr (std::is_same_v<T, bool>) {
@@ -96,7 +96,7 @@ void parse_into(T& field, std::string_view key, std::string_view text) {
 
 template <class T>
 OptionValue echo_of(const T& field) {
-  if constexpr (is_optional<T>) {
+  if constexpr (kIsOptional<T>) {
     return field ? echo_of(*field) : OptionValue{};
   } else if constexpr (std::is_same_v<T, bool>) {
     return field;

@@ -46,9 +46,11 @@ Argument ruled(CLI::Option* option, const ArgumentRules& rules) {
   if (!rules.alone_means.empty())
     option->expected(0, 1)->default_str(std::string(rules.alone_means))->run_callback_for_default(false);
   if (rules.range.least <= rules.range.most) option->check(CLI::Range(rules.range.least, rules.range.most));
-  if (const auto [least, most] = rules.interval; least <= most) {
-    option->check(CLI::Range(least, most));  // which takes nan
-    option->check([=](const std::string& word) { return number_or_complaint(word, least, most); });
+  if (const auto interval = rules.interval; interval.least <= interval.most) {
+    option->check(CLI::Range(interval.least, interval.most));  // which takes nan
+    option->check([interval](const std::string& word) {
+      return number_or_complaint(word, interval.least, interval.most);
+    });
   }
   if (!rules.one_of.empty()) option->check(CLI::IsMember(rules.one_of));
   if (rules.complaint != nullptr) option->check(rules.complaint);

@@ -33,8 +33,6 @@ class Descriptor {
     if (number_ >= 0) close(std::exchange(number_, -1));
   }
   [[nodiscard]] int number() const { return number_; }  ///< -1: closed
-  /// Leaves it open for somebody else to close.
-  [[nodiscard]] int release() { return std::exchange(number_, -1); }
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
 
  private:
@@ -54,7 +52,8 @@ Descriptor make_memory_file();
 /// Reads and writes of it return at once, with EAGAIN where they would have to wait.
 void set_non_blocking(const Descriptor& descriptor);
 
-/// Longest line that is taken, of a pipe or a file [bytes]; a record with waveforms has some 10^5.
+/// Longest line that is taken, of a pipe or a file [bytes]: a record with 65,536 instants of ten contacts;
+/// one with waveforms has some 10^5.
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 26U;
 
 /// Appends to `text` what a non-blocking descriptor has to read, until `text` is longer than `most` bytes;

@@ -34,7 +34,6 @@ constexpr char kFinished = 'F';
 constexpr char kThrew = 'X';
 constexpr char kOutOfMemory = 'M';
 
-/// Longest line that a child may send: a record with 65,536 instants of ten contacts.
 constexpr rlim_t kLogBytes = 1U << 20U;
 constexpr off_t kLastWordsBytes = 400;
 

@@ -42,11 +42,11 @@ double fluctuation(const Eigen::Ref<const Eigen::VectorXd>& x) {
 /// each other.
 std::string phase_between(const Eigen::Ref<const Eigen::VectorXd>& a,
                           const Eigen::Ref<const Eigen::VectorXd>& b) {
+  constexpr double kAlike = 1e-6;  // of the motion
   const double alone = fluctuation(a);
   const double sum = fluctuation(a + b);
-  return std::abs(sum - 2.0 * alone) <= kSameOrbit * alone || sum <= kSameOrbit * alone
-             ? ""
-             : " " + rounded(sum, 0.0);
+  return std::abs(sum - 2.0 * alone) <= kAlike * alone || sum <= kAlike * alone ? ""
+                                                                                : " " + rounded(sum, 0.0);
 }
 
 }  // namespace

@@ -134,7 +134,13 @@ void take_later_round(const ChildEnd& end, Record& record) {
   record.elapsed = record.elapsed.value_or(0.0) + end.seconds;
   const Json json = end.lines.empty() ? Json() : try_parse_json(end.lines.back());
   RepeatedSolve repeat;
-  if (json.is_object()) read_fields(json, repeat);
+  bool told = json.contains("times") || json.contains("status");
+  try {
+    if (told) read_fields(json, repeat);
+  } catch (const std::exception&) {  // not of ours: a method may write into its process's pipe
+    told = false;
+    repeat = {};
+  }
   if (repeat.times) {
     std::vector<TimedRound> rounds = record.seconds->rounds;
     rounds.push_back(*repeat.times);
@@ -143,7 +149,7 @@ void take_later_round(const ChildEnd& end, Record& record) {
     record.seconds->exchange = exchange;
     return count_repeat(repeat.answer, record);
   }
-  if (json.is_object()) {
+  if (told) {
     record.status = repeat.status;
     record.message = repeat.message;
     record.signal = repeat.signal;

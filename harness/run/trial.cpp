@@ -323,7 +323,7 @@ void TrialSeries::run(const Trial& trial, Record record,
     return;
   }
   if (const auto peak = status_bytes("VmHWM"); peak && before)
-    record.work.peak_memory_bytes = *peak - *before;
+    record.work.peak_memory_bytes = std::max(0L, *peak - *before);  // the kernel counts in batches of pages
   const std::string changed = usual.restore();
   std::optional<Motion> motion = take_solution(trial, solution, start.expired(), record);
   if (!changed.empty()) record.message += fmt::format("; it changed {}, which was restored", changed);

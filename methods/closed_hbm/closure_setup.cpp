@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "methods/hat_functions/hat_contact.hpp"
@@ -17,8 +16,10 @@ namespace {
 constexpr int kClosedResponse = 128, kMostClosedResponse = 1024;
 
 bool any_has_mass(const ContactReceptance& response, int harmonic) {
-  return std::ranges::any_of(std::views::iota(0, response.contacts()),
-                             [&](int c) { return is_mass_beyond(response, c, harmonic); });
+  for (int c = 0; c < response.contacts(); ++c) {
+    if (is_mass_beyond(response, c, harmonic)) return true;
+  }
+  return false;
 }
 
 /// C_n, n = 0..L; nothing where an undamped mode answers to one of these harmonics.

@@ -47,14 +47,15 @@ FlowState GivingEvents::place(double time, const State& state) const {
     touching[static_cast<std::size_t>(own[i])] = gap[static_cast<Eigen::Index>(i)] <= touch_;
   decide(time, flow.state, of_springs_, std::move(springs), flow.closed);
   decide(time, flow.state, of_relaxing_, std::move(touching), flow.closed);
-  hold(flow.state, dynamics_.mode(flow.closed));
+  if (dynamics_.structure().relaxing() > 0) hold(flow.state, dynamics_.mode(flow.closed));
   return flow;
 }
 
 void GivingEvents::hold(State& state, const ContactMode& of_all) const {
   const FlowStructure& structure = dynamics_.structure();
+  if (structure.relaxing() == 0) return;
   const ContactMode mode = dynamics_.stops().part(of_all, false);
-  if (structure.relaxing() == 0 || mode.active.empty()) return;
+  if (mode.active.empty()) return;
   const Eigen::VectorXd beyond =
       entries_of(structure.unloaded(0.0, state.u, 0), mode.active) - entries_of(structure.gaps, mode.active);
   state.u.tail(structure.relaxing()) -=
@@ -96,8 +97,9 @@ void GivingEvents::pass(const FlowState& after, const Eigen::VectorXd& before, i
 
 void GivingEvents::admit(const ContactMode& of_all, Eigen::MatrixXd& derivative) const {
   const FlowStructure& structure = dynamics_.structure();
+  if (structure.relaxing() == 0) return;
   const ContactMode mode = dynamics_.stops().part(of_all, false);
-  if (structure.relaxing() == 0 || mode.active.empty()) return;
+  if (mode.active.empty()) return;
   Eigen::MatrixXd beyond(mode.response.rows(), derivative.cols());
   for (std::size_t i = 0; i < mode.active.size(); ++i)
     beyond.row(static_cast<Eigen::Index>(i)) = moved(mode.active[i], derivative).transpose();
@@ -144,15 +146,17 @@ void GivingEvents::reconsider(const FlowState& flow, int trigger, bool relaxing,
 
 void GivingEvents::resolve(FlowState& flow, int trigger, FlowRecord& record) const {
   const std::vector<bool> before = flow.closed;
-  const Eigen::VectorXd rates_before = record.tangent ? rates(flow) : Eigen::VectorXd();
+  // Rates of springs alone are continuous: nothing jumps, nor do small deviations.
+  const bool relaxing = dynamics_.structure().relaxing() > 0, carries = record.tangent && relaxing;
+  const Eigen::VectorXd rates_before = carries ? rates(flow) : Eigen::VectorXd();
   flow.closed = closed_after(flow, trigger, false);
-  hold(flow.state, dynamics_.mode(flow.closed));
+  if (relaxing) hold(flow.state, dynamics_.mode(flow.closed));
   log_changes(before, flow.closed, flow.time, record);
   record.sequence.push_back({.kind = change_of(flow.closed, trigger),
                              .contact = trigger,
                              .time = flow.time,
                              .closed = flow.closed});
-  if (record.tangent) pass(flow, rates_before, trigger, record.derivative);
+  if (carries) pass(flow, rates_before, trigger, record.derivative);
 }
 
 }  // namespace signorini

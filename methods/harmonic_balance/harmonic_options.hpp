@@ -45,7 +45,11 @@ inline constexpr int kSampledPerHarmonic = 32;
 
 /// What options of several methods mean.
 struct OptionMeanings {
-  std::string_view harmonics, constant, penalty, solver, tolerance;  ///< of the options of these names
+  std::string_view harmonics;  ///< of the option of this name
+  std::string_view constant;   ///< of c
+  std::string_view penalty;    ///< of the option of this name
+  std::string_view solver;     ///< of the option of this name
+  std::string_view tolerance;  ///< of the option of this name
 };
 inline constexpr OptionMeanings kMeanings{
     .harmonics =

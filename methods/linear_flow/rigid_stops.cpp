@@ -21,7 +21,11 @@ class RigidStops final : public Stops {
   void add_acceleration(const ContactMode& mode, double time, const Eigen::Ref<const Eigen::VectorXd>& u,
                         const Eigen::Ref<const Eigen::VectorXd>& v,
                         Eigen::Ref<Eigen::VectorXd> a) const override {
-    if (others_) others_->add_acceleration(part(mode, false), time, u, v, a);
+    if (!others_) {
+      hold(mode, a);
+      return;
+    }
+    others_->add_acceleration(part(mode, false), time, u, v, a);
     hold(part(mode, true), a);
   }
 
@@ -38,7 +42,8 @@ class RigidStops final : public Stops {
       motion.x.col(k) = structure_.unloaded(time, motion.u.col(k), k);
       motion.u.col(k + 2) = structure_.factors->solve(load);
     }
-    const ContactMode held = part(mode, true);
+    const ContactMode own = others_ ? part(mode, true) : ContactMode{};
+    const ContactMode& held = others_ ? own : mode;
     const Eigen::VectorXd lambda = hold(held, motion.u.col(k + 2).head(structure_.size()));
     for (std::size_t i = 0; i < held.active.size(); ++i)
       motion.lambda(held.active[i], k) = lambda[static_cast<Eigen::Index>(i)];

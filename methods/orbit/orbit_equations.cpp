@@ -269,7 +269,8 @@ std::optional<FamilyInverse> family_inverse(const Eigen::MatrixXd& J, Eigen::Ind
 }
 
 std::optional<FamilyInverse> family_inverse(const OrbitEquations& equations, double reciprocal_condition) {
-  if (reciprocal_condition > kMatrixRounding || !touches(equations.sequence())) return std::nullopt;
+  constexpr double kFamilyCondition = 1e-12;  // reciprocal: beyond it a step is rounding
+  if (reciprocal_condition > kFamilyCondition || !touches(equations.sequence())) return std::nullopt;
   return family_inverse(equations.jacobian(), equations.size() - equations.events());
 }
 

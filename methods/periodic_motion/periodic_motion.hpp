@@ -29,12 +29,13 @@ struct PeriodicMotionOptions {
 /// A fixed point of the stroboscopic map is proposed by Newton's method from the present state and taken
 /// only if marching goes there: (1) its residual is at most ten tolerances; (2) all its multipliers are
 /// inside the unit circle; (3) the distance of the last states marched to it shrinks at every turn, in the
-/// norm of the multipliers' eigenvectors, and these turns are linear or it shrinks on for as long as the
-/// slowest multiplier takes to a tenth, so that the contraction has set in; (4) marched on from an orbit of
-/// order p > 1 for 3 p periods, the motion repeats itself within ten tolerances, and no smaller order does.
-/// So a slowly converging transient, a near miss of a chaotic motion or a noise-level cycle is not taken for
-/// a period. Where Newton's method fails (grazing, monodromy too large) the motion must repeat within ten
-/// tolerances for several turns and the geometric rest of its convergence be below a hundred.
+/// norm of the multipliers' eigenvectors, and these turns are linear or, within the turns that the
+/// slowest multiplier takes to a tenth, 32 at most, become so or bring it nearer by the root of what that
+/// multiplier makes of a distance in them, so that the contraction has set in; (4) marched on from an orbit
+/// of order p > 1 for 3 p periods, the motion repeats itself within ten tolerances, and no smaller order
+/// does. So a slowly converging transient, a near miss of a chaotic motion or a noise-level cycle is not
+/// taken for a period. Where Newton's method fails (grazing, monodromy too large) the motion must repeat
+/// within ten tolerances for several turns and the geometric rest of its convergence be below a hundred.
 /// \throws FlowError, IntegrationError
 FixedPoint march(PeriodMap& map, const FlowState& start, const PeriodicMotionOptions& options,
                  const std::function<bool()>& expired);

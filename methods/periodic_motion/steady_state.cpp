@@ -6,7 +6,6 @@
 #include <deque>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -322,8 +321,10 @@ FixedPoint March::run() {
     }
     if (auto found = settled()) return *found;
   }
-  const int order = std::ranges::min(std::views::iota(1, std::max(1, options_.max_order) + 1), {},
-                                     [&](int candidate) { return repeat(candidate); });
+  int order = 1;
+  for (int candidate = 2; candidate <= options_.max_order; ++candidate) {
+    if (repeat(candidate) < repeat(order)) order = candidate;
+  }
   return {.message =
               fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
                           marched_, options_.max_order, order, repeat(order)),
@@ -345,8 +346,12 @@ void move_to_quiet_phase(PeriodMap& map, FlowState& state, const std::vector<Con
   const double period = map.forcing_period();
   constexpr int kCandidates = 64;
   const auto phase = [&](int i) { return period * i / kCandidates; };
-  const double best = phase(std::ranges::max(std::views::iota(0, kCandidates), {},
-                                             [&](int i) { return nearest_event(events, phase(i), period); }));
+  const auto clearance = [&](int i) { return nearest_event(events, phase(i), period); };
+  int widest = 0;
+  for (int i = 1; i < kCandidates; ++i) {
+    if (clearance(i) > clearance(widest)) widest = i;
+  }
+  const double best = phase(widest);
   const double wait = std::fmod(best - state.time + period, period);
   if (wait <= 0.0) return;
   FlowRecord record;

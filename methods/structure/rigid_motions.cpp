@@ -100,27 +100,29 @@ NoPeriodicMotion unbalanced(const Eigen::MatrixXd& motions, const Eigen::VectorX
 
 /// Coordinates of parts, joined by entries of M, D and K, of which none is a contact's.
 std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
-  std::vector<std::vector<int>> joined(static_cast<std::size_t>(problem.size()));
+  std::vector<int> part(static_cast<std::size_t>(problem.size()));
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&part](int i) {
+    while (part[static_cast<std::size_t>(i)] != i) {
+      int& above = part[static_cast<std::size_t>(i)];
+      i = above = part[static_cast<std::size_t>(above)];  // halves the way of the next one
+    }
+    return i;
+  };
   for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
     for (int outer = 0; outer < matrix->outerSize(); ++outer) {
       for (SparseMatrix::InnerIterator it(*matrix, outer); it; ++it) {
         if (it.value() == 0.0 || it.row() == it.col()) continue;
-        joined[static_cast<std::size_t>(it.row())].push_back(static_cast<int>(it.col()));
-        joined[static_cast<std::size_t>(it.col())].push_back(static_cast<int>(it.row()));
+        const int a = root(static_cast<int>(it.row())), b = root(static_cast<int>(it.col()));
+        part[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
       }
     }
   }
-  std::vector<bool> apart(joined.size(), true);
-  std::vector<int> next;
+  std::vector<bool> touched(part.size(), false), apart(part.size(), false);
   for (const Contact& contact : problem.contacts)
-    for (const auto& [dof, weight] : contact.normal) next.push_back(dof);
-  while (!next.empty()) {
-    const auto i = static_cast<std::size_t>(next.back());
-    next.pop_back();
-    if (!apart[i]) continue;
-    apart[i] = false;
-    next.insert(next.end(), joined[i].begin(), joined[i].end());
-  }
+    for (const auto& [dof, weight] : contact.normal) touched[static_cast<std::size_t>(root(dof))] = true;
+  for (int i = 0; i < problem.size(); ++i)
+    apart[static_cast<std::size_t>(i)] = !touched[static_cast<std::size_t>(root(i))];
   return apart;
 }
 

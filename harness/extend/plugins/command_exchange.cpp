@@ -116,7 +116,7 @@ void require_equidistant(const std::vector<double>& t, double period) {
   }
 }
 
-/// The motion, where there is one. \throws BadRecord
+/// The motion, where there is one. \throws BadRecord, SolveFailure
 std::shared_ptr<const Trajectory> motion_of(AnswerMessage& answer, double period) {
   if (!answer.trajectory) return nullptr;
   require_equidistant(answer.trajectory->t, period);
@@ -124,7 +124,7 @@ std::shared_ptr<const Trajectory> motion_of(AnswerMessage& answer, double period
   return trajectory_of(period, *answer.trajectory);
 }
 
-/// \throws BadRecord
+/// \throws BadRecord, SolveFailure
 Solution solution_of(AnswerMessage answer, double period) {
   Solution solution{.verdict = answer.verdict, .message = one_line(answer.message, 400)};
   if (solution.message.empty()) solution.message = "the command gave no message";
@@ -135,11 +135,20 @@ Solution solution_of(AnswerMessage answer, double period) {
   return solution;
 }
 
-/// \throws BadRecord, or an exception of the JSON library
+/// \throws BadRecord, SolveFailure, or an exception of the JSON library
 AnswerMessage read_message(const Json& json) {
   require_known_keys<AnswerMessage>(json);
   AnswerMessage answer;
-  read_fields(json, answer);
+  const bool lists_none = json.contains("events") && json["events"].empty();  // null, too
+  if (json.contains("trajectory") && !lists_none) {
+    read_fields(json, answer);
+  } else {  // of no motion there is neither period nor event, whatever these keys hold
+    Json rest = json;
+    rest.erase("events");
+    if (!json.contains("trajectory")) rest.erase("period");
+    read_fields(rest, answer);
+    if (lists_none) answer.events.emplace();
+  }
   if (!(answer.seconds.value_or(0.0) >= 0.0))
     refuse(fmt::format("seconds = {} (must be 0 or more)", *answer.seconds));
   if (!json.contains("work")) return answer;

@@ -83,7 +83,7 @@ std::string with_entry(const std::string& catalogue, const std::string& folder, 
   const std::string indent = neighbour.substr(0, neighbour.find_first_not_of(' '));
   lines.insert(entry_place, fmt::format("{}method_entry<{}>(),", indent, type));
   lines.insert(place_of_include(lines, include), include);
-  return joined(lines, "\n");
+  return joined(lines, "\n") + (catalogue.ends_with('\n') ? "" : "\n");
 }
 
 }  // namespace signorini

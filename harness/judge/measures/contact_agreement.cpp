@@ -54,7 +54,8 @@ struct Touches {
   double largest;
 };
 
-/// The pushes of one contact over so many periods of its motion, those closer than `apart` [s] as one.
+/// The pushes of one contact over so many periods of its motion, those closer than `apart` [s] as one. Other
+/// than those of `short_pushes` they have |J| >= 0 as impulse, and may begin outside of the period.
 std::vector<ListedPush> pushes_shown(const Motion& motion, int contact, double apart, int periods) {
   std::vector<ListedPush> shown;
   for (const ContactPhase& phase : contact_phases(motion)) {

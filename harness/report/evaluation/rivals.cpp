@@ -42,7 +42,9 @@ LeastTimes least_times(std::span<const ResolutionStudy> studies, double error) {
 }
 
 void add(const LeastTimes& least, const ResolutionStudy& study, double error, RivalTimes& times) {
-  const auto [seconds, run] = cost_to_error(study, time_axis(), error);
+  const CurvePoint cost = cost_to_error(study, time_axis(), error);
+  const double seconds = cost.cost;
+  const ScoredRun* const run = cost.run;
   ++times.scenes;
   if (run == nullptr) return;
   ++times.reached;

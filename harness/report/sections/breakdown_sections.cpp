@@ -140,7 +140,7 @@ Cell condition_cell(const Levels& levels) {
         largest = std::max(largest, run.result->condition.value_or(0.0));
     }
   }
-  return number_cell(largest > 0.0 ? Measure(largest) : Measure(), "{:.0e}", "none");
+  return largest > 0.0 ? number_cell(largest, "{:.0e}") : Cell("none");
 }
 
 /// How ill-conditioned the equations become on the way, as far as answers go.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -58,10 +57,13 @@ std::string contestants_text(const Evaluation& evaluation, const RankingGroup& g
 /// Whether any run of a group has a time: runs of a build that may not be timed have none, and cannot be
 /// ranked.
 bool is_timed(const RankingGroup& group) {
-  return std::ranges::any_of(group.studies | std::views::join, [](const ResolutionStudy* study) {
-    return std::ranges::any_of(study->runs,
-                               [](const ScoredRun& run) { return run.result->seconds.has_value(); });
-  });
+  const auto has_time = [](const ScoredRun& run) { return run.result->seconds.has_value(); };
+  for (const auto& row : group.studies) {
+    for (const ResolutionStudy* study : row) {
+      if (std::ranges::any_of(study->runs, has_time)) return true;
+    }
+  }
+  return false;
 }
 
 Cell share_cell(double share) { return {fmt::format("{:.0f} %", 100.0 * share), share}; }
@@ -87,10 +89,12 @@ std::vector<std::size_t> order_by(std::size_t contestants, const Key& key) {
 /// Whether the order of the means depends on the shift.
 bool order_depends_on_shift(const Costs& costs, double failure) {
   const auto order = [&](double shift) {
-    return order_by(costs.size(),
-                    [&](std::size_t c) { return shifted_geometric_mean(costs[c], shift, failure); });
+    std::vector<double> means;
+    for (const auto& row : costs) means.push_back(shifted_geometric_mean(row, shift, failure));
+    return order_by(costs.size(), [&](std::size_t c) { return means[c]; });
   };
-  return std::ranges::any_of(kMeanShifts, [&](double shift) { return order(shift) != order(kMeanShift); });
+  const auto usual = order(kMeanShift);
+  return std::ranges::any_of(kMeanShifts, [&](double shift) { return order(shift) != usual; });
 }
 
 void add_mean_rows(const RankingGroup& group, double error, double limit, Table& table) {

@@ -41,7 +41,7 @@ std::optional<double> gain_of(const CaseResult& off, const CaseResult& on) {
   return *certified_error(off) / *certified_error(on);
 }
 
-Cell gain_cell(const Measure& gain) { return number_cell(gain, "{:.3g}", "none"); }
+Cell gain_cell(const Measure& gain) { return gain ? number_cell(gain, "{:.3g}", "none") : Cell("none"); }
 
 /// Results of one method at one value.
 struct Results {

@@ -283,14 +283,14 @@ class BifurcationCurveTracer {
   Branch result_;
 };
 
-constexpr double kSame = 1e-9;  // of a parameter: it has the same value
+constexpr double kSameValue = 1e-9;  // of a parameter: it has the same value
 
 // Whether a curve leads anywhere: one that ends where it begins would lead back along the curve before.
 bool has_length(const Branch& curve) {
   if (curve.points.size() != 2) return curve.points.size() > 2;
   const SolutionPoint &first = curve.points.front(), &last = curve.points.back();
-  return std::abs(first.frequency - last.frequency) > kSame * first.frequency ||
-         std::abs(*first.second - *last.second) > kSame * std::abs(*first.second);
+  return std::abs(first.frequency - last.frequency) > kSameValue * first.frequency ||
+         std::abs(*first.second - *last.second) > kSameValue * std::abs(*first.second);
 }
 
 // The curve through a special point, and those that go on where its sequence of events changes.
@@ -362,7 +362,7 @@ std::vector<Branch> bifurcation_curves(const ScenePlane& plane, const OrbitDiagr
     }
     const Branch& curve = curves.back();
     const bool returns = curve.points.size() > 1 && std::abs(*curve.points.back().second - plane.from) <
-                                                        kSame * std::abs(plane.to - plane.from);
+                                                        kSameValue * std::abs(plane.to - plane.from);
     if (returns) known.push_back(curve.points.back());
   }
   return curves;

@@ -288,10 +288,11 @@ bool confirmed(SpecialKind kind, const Eigen::VectorXcd& multipliers) {
 }
 
 OrbitStability stability_of(const ExtendedEquations& equations, const Eigen::VectorXcd& multipliers) {
+  constexpr double kGrazing = 1e-9;  // of V
   for (Eigen::Index i = 0; i < equations.orbit().count(); ++i) {
     const SequenceEvent& event = equations.orbit().event(i);
     if (event.kind != ContactEvent::Kind::open && equations.model().dynamics.halts(event.contact) &&
-        std::abs(equations.speed(i)) < kMultiplierRounding)
+        std::abs(equations.speed(i)) < kGrazing)
       return OrbitStability::undefined;
   }
   if (multipliers.size() == 0) return OrbitStability::undefined;

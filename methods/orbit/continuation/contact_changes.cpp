@@ -119,8 +119,11 @@ ChangeOfSequence begin_around(OrbitFamily& family, const SequencedOrbit& orbit, 
   const auto event = [&](bool opens) {
     return PlacedEvent{guard.phase, {.kind = opens ? Kind::open : Kind::close, .contact = contact}};
   };
-  return begin_at(family, with_event(with_event(orbit, impact, event(closed)), impact + 2, event(!closed)),
-                  shortest_phase(contact, 1),
+  // Both before any sorting: events of one instant may be out of order by rounding.
+  std::vector<PlacedEvent> placed = placed_events(orbit);
+  placed.insert(placed.begin() + impact + 1, event(!closed));
+  placed.insert(placed.begin() + impact, event(closed));
+  return begin_at(family, with_modes(with_events(orbit, std::move(placed))), shortest_phase(contact, 1),
                   fmt::format("contact {} presses, or opens, around the impact of another", contact));
 }
 

@@ -374,8 +374,8 @@ void Tracer::advance() {
   for (LocatedBifurcation& found : met.found) record(std::move(found), result_);
   if (halved && !(crossing && crossing->length < *halved)) return end_at_half_period(*halved);
   if (crossing) return end_at(*crossing);
-  // Next to the start all orbits are the same to rounding.
-  if (start_.leaves == LeftBranch::none && travelled_ > kOrbitSteps.first &&
+  constexpr double kAway = 1e-2;  // of length: next to the start all orbits are the same to rounding
+  if (start_.leaves == LeftBranch::none && travelled_ > kAway &&
       passes(*equations_, here_.x, next.x, start_.orbit))
     return close();
   near_ = factors;

@@ -18,7 +18,7 @@ namespace signorini {
 /// Why most branches end.
 inline constexpr std::string_view kEndOfInterval = "end of the interval";
 
-/// Of curves of orbits [CurveUnits]
+/// Of curves of orbits, which ask neither `far` nor `moved` and `small` [CurveUnits]
 inline constexpr StepRules kOrbitSteps{.longest = 0.15, .shortest = 1e-7, .any_turn = 1e-4};
 
 /// What branch besides the one that is followed goes through its start.

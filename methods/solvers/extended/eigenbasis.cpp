@@ -1,6 +1,7 @@
 #include "methods/solvers/extended/eigenbasis.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <complex>
 #include <utility>
 
@@ -15,6 +16,8 @@ std::optional<Eigenbasis> eigenbasis(const ExtendedMatrix& A) {
   if (solver.info() != Eigen::Success) return std::nullopt;
   Eigenbasis basis{.real = {}, .imaginary = {}, .vectors = ExtendedMatrix(n, n), .inverse = {}};
   for (const Complex& value : solver.eigenvalues()) {
+    // A pair that rounding has left without an imaginary part is defective, and its columns are no vectors.
+    if (value.imag() == 0.0L && std::signbit(value.imag())) return std::nullopt;
     basis.real.push_back(value.real());
     basis.imaginary.push_back(value.imag());
   }

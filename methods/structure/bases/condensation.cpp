@@ -130,7 +130,8 @@ CondensedStructure condense(const Problem& problem, int most) {
   static_cast<MasslessElimination&>(result) = eliminate_massless(problem);
   if (!result.massless.empty()) {
     std::string obstacle = condense_massless(problem, result);
-    return obstacle.empty() ? result : refused(std::move(obstacle));
+    if (!obstacle.empty()) return refused(std::move(obstacle));
+    return result;
   }
   result.mass = problem.mass();
   result.damping = problem.damping();
