@@ -1,26 +1,35 @@
 #include "methods/linear_flow/shared_modes.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <array>
 
 namespace signorini {
 
+namespace {
+
+template <class Matrix>
+bool equal_matrices(const Matrix& a, const Matrix& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() == 0.0;
+}
+
+}  // namespace
+
 std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations) {
   const FreeForm& form = equations.form;
-  std::vector<Eigen::MatrixXd> matrices;  // no list in braces, which copies each one twice
-  matrices.reserve(7);
-  matrices.emplace_back(equations.structure().mass);
-  for (const auto* matrix : {&form.damping, &form.stiffness, &form.basis, &equations.output_of_state})
-    matrices.emplace_back(*matrix);
-  matrices.emplace_back(form.relaxing.of_xi);
-  matrices.emplace_back(form.relaxing.times);
-  const auto equal = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() == 0.0;
+  const SparseMatrix& mass = equations.structure().mass;
+  const Eigen::MatrixXd times = form.relaxing.times;
+  const std::array<const Eigen::MatrixXd*, 6> others{
+      &form.damping, &form.stiffness, &form.basis, &equations.output_of_state, &form.relaxing.of_xi, &times};
+  const auto equal = [](const Eigen::MatrixXd& kept, const Eigen::MatrixXd* now) {
+    return equal_matrices(kept, *now);
   };
   Entry& entry = entries_[equations.mode.active];
-  if (std::ranges::equal(entry.matrices, matrices, equal)) return entry.modes;
+  if (std::ranges::equal(entry.others, others, equal) && equal_matrices(entry.mass, mass)) return entry.modes;
   ++found_;
-  entry = {.matrices = std::move(matrices), .modes = modal_basis(equations)};
+  entry.mass = mass;
+  entry.others.clear();
+  for (const Eigen::MatrixXd* matrix : others) entry.others.push_back(*matrix);
+  entry.modes = modal_basis(equations);
   return entry.modes;
 }
 

@@ -22,7 +22,8 @@ class SharedModes {
 
  private:
   struct Entry {
-    std::vector<Eigen::MatrixXd> matrices;  // that the modes are of
+    SparseMatrix mass;
+    std::vector<Eigen::MatrixXd> others;  // that the modes are of
     std::shared_ptr<const ModalBasis> modes;
   };
 

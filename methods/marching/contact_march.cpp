@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <span>
 
 namespace signorini {
 
@@ -144,7 +145,7 @@ Eigen::VectorXd ContactMarch::period(const Eigen::VectorXd& state) {
       return Eigen::VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN());
     }
     const std::vector<int>& set = contacts_.set();
-    push_ = -contacts_.z()(set);
+    push_ = -contacts_.z()(std::span<const int>(set));  // a view by the vector itself copies it
     press(set);
     complete_next();
     sets_[static_cast<std::size_t>(k - 1)] = set;

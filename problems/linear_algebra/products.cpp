@@ -2,6 +2,8 @@
 
 #include <cblas.h>
 
+#include <span>
+
 namespace signorini {
 
 using Complex = std::complex<double>;
@@ -154,18 +156,23 @@ Eigen::VectorXd image_by_transposed_columns(const Eigen::MatrixXd& A, const std:
   return result;
 }
 
-Eigen::MatrixXd columns_of(const Eigen::MatrixXd& A, const std::vector<int>& J) { return A(Eigen::all, J); }
-
-Eigen::MatrixXcd rows_of(const Eigen::MatrixXcd& A, const std::vector<int>& I) { return A(I, Eigen::all); }
-
-Eigen::MatrixXd block_of(const Eigen::MatrixXd& A, const std::vector<int>& I, const std::vector<int>& J) {
-  return A(I, J);
+// Of spans: a view by a vector of indices copies it.
+Eigen::MatrixXd columns_of(const Eigen::MatrixXd& A, const std::vector<int>& J) {
+  return A(Eigen::all, std::span(J));
 }
 
-Eigen::VectorXd entries_of(const Eigen::VectorXd& v, const std::vector<int>& I) { return v(I); }
+Eigen::MatrixXcd rows_of(const Eigen::MatrixXcd& A, const std::vector<int>& I) {
+  return A(std::span(I), Eigen::all);
+}
+
+Eigen::MatrixXd block_of(const Eigen::MatrixXd& A, const std::vector<int>& I, const std::vector<int>& J) {
+  return A(std::span(I), std::span(J));
+}
+
+Eigen::VectorXd entries_of(const Eigen::VectorXd& v, const std::vector<int>& I) { return v(std::span(I)); }
 
 void set_rows(Eigen::MatrixXd& A, const std::vector<int>& I, const Eigen::MatrixXd& B) {
-  A(I, Eigen::all) = B;
+  A(std::span(I), Eigen::all) = B;
 }
 
 }  // namespace signorini

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "methods/solvers/lcp/lcp.hpp"
@@ -54,9 +55,10 @@ bool ActiveSetLcp::solve(const Eigen::VectorXd& q) {
     z_.setZero();
     w_ = q;
     if (!set_.empty()) {
-      offset_ = q(set_);
+      const std::span<const int> set(set_);  // a view by the vector itself copies it
+      offset_ = q(set);
       part_.noalias() = inverse(set_) * offset_;
-      z_(set_) = -part_;
+      z_(set) = -part_;
       for (const int i : set_) w_.noalias() += z_[i] * G_.col(i);
     }
     // Both lists ascend: `next` is made in the order of the indices.
@@ -68,7 +70,7 @@ bool ActiveSetLcp::solve(const Eigen::VectorXd& q) {
       if (active ? z_[i] > 0.0 : w_[i] < 0.0) next_.push_back(i);
     }
     if (next_ == set_) {
-      w_(set_).setZero();
+      for (const int i : set_) w_[i] = 0.0;
       return q.allFinite();
     }
     set_.swap(next_);
@@ -87,7 +89,7 @@ bool ActiveSetLcp::solve_otherwise(const Eigen::VectorXd& q) {
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
     if (z_[i] > 0.0) set_.push_back(i);
   }
-  w_(set_).setZero();
+  for (const int i : set_) w_[i] = 0.0;
   return true;
 }
 
