@@ -110,6 +110,9 @@ bool says_converged(const Record& record) {
          record.status == Status::invalid_output;
 }
 
+/// Errors below this are round-off, whatever the orbit is known to [-].
+constexpr double kErrorFloor = 1e-9;
+
 /// Which of two results of one check stands: the higher one.
 int severity(CheckOutcome outcome) {
   constexpr std::array kSeverities{1, 2, 0, 3};  // in the order of CheckOutcome
@@ -206,7 +209,7 @@ CheckResult check_order(const LadderRecords& ladder) {
       unjudged = nullptr;
       if (record.law && std::holds_alternative<Undetermined>(*record.law))
         return not_applicable("its law is undetermined: no orbit is the one that it approaches");
-      floor = std::max(kRoundOff, measurable_error(record));
+      floor = std::max(kErrorFloor, measurable_error(record));
       steps.push_back({.size = series.sizes[i], .error = *error});
     }
     if (steps.empty()) continue;

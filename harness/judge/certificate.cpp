@@ -18,6 +18,8 @@ namespace signorini {
 
 namespace {
 
+// Orbits of certificates may be this uncertain; what is smaller than ten error bars is marked in tables.
+constexpr double kLargestErrorBar = 1e-6;
 // Amplitudes by which a motion may break the law of contact before it is none of the scene, whatever orbits
 // are found.
 constexpr double kFarFromLaw = 0.5;  // in the mean over time, and at the deepest
@@ -72,7 +74,7 @@ class Attempts {
   /// By an orbit found from the answer, at the answer's own phase.
   bool take(const CertifiedOrbit& found) {
     if (!found.motion) return set_aside(found.unconfirmed.get(), found.reason);
-    if (!(found.error_bar <= kLargeReferenceErrorBar)) {
+    if (!(found.error_bar <= kLargestErrorBar)) {
       return set_aside(found.motion.get(),
                        fmt::format("the orbit that it leads to is known to {:.1e} only", found.error_bar));
     }
@@ -220,7 +222,7 @@ CertifiedAnswer certify(const Problem& problem, std::shared_ptr<const Trajectory
     for (int k = 0; k < kShootings && !orbit.motion; ++k) {
       options.begin = wrapped_time(quiet_instant(motion) + k * motion.period() / kShootings, motion.period());
       orbit = find_orbit(same_order, tools.solver, options, {.guess = answer, .deadline = deadline},
-                         kLargeReferenceErrorBar);
+                         kLargestErrorBar);
       if (deadline.passed()) break;
     }
     return attempts.take(orbit);

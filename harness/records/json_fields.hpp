@@ -216,8 +216,14 @@ void read_into(std::string_view field, const Json& json, T& value) {
     read_fields(json, value);
   } else if constexpr (kIsList<T>) {
     value.clear();
-    for (const Json& item : json.get_ref<const Json::array_t&>())
-      read_into(field, item, value.emplace_back());
+    for (const Json& item : json.get_ref<const Json::array_t&>()) {
+      try {
+        read_into(field, item, value.emplace_back());
+      } catch (const BadRecord& error) {
+        if constexpr (!Visited<typename T::value_type>) throw;
+        throw BadRecord(std::string(field) + "." + error.what());
+      }
+    }
   } else {
     value = json.get<T>();
   }

@@ -19,7 +19,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kSettledRounding = 1e-9;  // relative to the motion, and of the period
+constexpr double kSettledRounding = 1e-9;  // relative to the motion
+constexpr double kOneInstant = 1e-9;       // of the period
 constexpr int kInstantsPerHarmonic = 8;
 constexpr int kFewestInstants = 4096;  // a parabola of the third harmonic is told to 3e-6 of its height
 
@@ -194,8 +195,8 @@ bool ImpactMotion::are_separate(const PeriodicImpacts& impacts) const {
       const int column = impacts.contacts[static_cast<std::size_t>(l)];
       const double turn = impacts.moments(0, k) - impacts.moments(0, l);
       const bool coupled =
-          std::abs(a(row, column)) > kSettledRounding * std::sqrt(a(row, row) * a(column, column));
-      if (coupled && std::abs(turn - std::round(turn)) < kSettledRounding) return false;
+          std::abs(a(row, column)) > kOneInstant * std::sqrt(a(row, row) * a(column, column));
+      if (coupled && std::abs(turn - std::round(turn)) < kOneInstant) return false;
     }
   }
   return true;

@@ -59,14 +59,16 @@ class FollowedMethod : public ProjectedMethod, public CurveMethod {
  protected:
   using ProjectedMethod::ProjectedMethod;
 
-  /// With the limits, the order and the former options of all, too.
+  /// With the limits, the order and the former options of all where it has none of its own, too.
   static constexpr MethodText completed(MethodText text) {
-    text.limits =
-        "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes some "
-        "40 harmonics, 1 % some 300. With few harmonics a solution may show impacts that no exact motion "
-        "has.";
-    text.order = 1.0;
-    text.former = kOptionsOfClosure;
+    if (text.limits.empty())
+      text.limits =
+          "On a rigid stop restitution 1 alone, and at impacts the error of x falls like 1/H: 10 % takes "
+          "some "
+          "40 harmonics, 1 % some 300. With few harmonics a solution may show impacts that no exact motion "
+          "has.";
+    if (!text.order) text.order = 1.0;
+    if (text.former.empty()) text.former = kOptionsOfClosure;
     return ProjectedMethod::completed(text);
   }
 };

@@ -45,7 +45,8 @@ Eigen::MatrixXd null_space_by_iteration(const SparseMatrix& A) {
   const auto solver = factorise_here(shifted);
   if (!solver->definite()) return Eigen::MatrixXd(A.rows(), 0);
   for (int columns = kColumnsAtFirst;; columns *= 2) {
-    Eigen::MatrixXd X = random_columns(A.rows(), columns);
+    // None of those that were too few before: rounds of 8, 16, .. columns have used columns - 8.
+    Eigen::MatrixXd X = random_columns(A.rows(), 2 * columns - kColumnsAtFirst).rightCols(columns);
     Eigen::VectorXd values;
     for (int k = 0; k < kIterations; ++k) {
       X = solver->solve(X);

@@ -135,9 +135,19 @@ Solution solution_of(AnswerMessage answer, double period) {
   return solution;
 }
 
+/// Counts of work: those of a record, none of them negative. \throws BadRecord, SolveFailure
+void require_counts(const Json& work) {
+  require_known_keys<Work>(work, "work.");
+  for (const auto& [key, value] : work.items()) {
+    if (!value.is_number() || value.get<double>() < 0.0)
+      refuse(fmt::format("work.{} = {} (must be 0 or more)", key, one_line(json_text(value))));
+  }
+}
+
 /// \throws BadRecord, SolveFailure, or an exception of the JSON library
 AnswerMessage read_message(const Json& json) {
   require_known_keys<AnswerMessage>(json);
+  if (json.contains("work")) require_counts(json["work"]);
   AnswerMessage answer;
   const bool lists_none = json.contains("events") && json["events"].empty();  // null, too
   if (json.contains("trajectory") && !lists_none) {
@@ -151,12 +161,6 @@ AnswerMessage read_message(const Json& json) {
   }
   if (!(answer.seconds.value_or(0.0) >= 0.0))
     refuse(fmt::format("seconds = {} (must be 0 or more)", *answer.seconds));
-  if (!json.contains("work")) return answer;
-  require_known_keys<Work>(json["work"], "work.");
-  for (const auto& [key, value] : json["work"].items()) {
-    if (value.get<double>() < 0.0)
-      refuse(fmt::format("work.{} = {} (must be 0 or more)", key, json_text(value)));
-  }
   return answer;
 }
 

@@ -272,6 +272,7 @@ double expected_loss(const Motion& motion, double restitution, const Eigen::Matr
   const double together = time_resolution(motion);
   double loss = 0.0;
   Eigen::VectorXd impulse = Eigen::VectorXd::Zero(delassus.rows());
+  constexpr double kOneInstant = 1e-9;  // of the period
   double last = -1.0;
   const auto finish = [&] {
     loss += factor * impulse.dot(delassus * impulse);
@@ -285,7 +286,7 @@ double expected_loss(const Motion& motion, double restitution, const Eigen::Matr
       if (restitution < 1.0) loss += 0.5 * v * v / delassus(phase.contact, phase.contact);
       continue;
     }
-    const double window = phase.listed ? kRoundOff * motion.period() : together;
+    const double window = phase.listed ? kOneInstant * motion.period() : together;
     if (phase.begin - last > window) finish();
     impulse[phase.contact] += phase.impulse;
     last = phase.end;

@@ -30,6 +30,11 @@ TEST(DrawnStops, StandAsWallsInARangeThatHoldsThem) {
   const std::string commands = abscissa_commands(inside, stops, 5);
   EXPECT_TRUE(commands.starts_with("set xtics 0.5\n")) << commands;  // over 1.25
   EXPECT_TRUE(abscissa_commands(beyond, stops, 5).starts_with("set xtics 1\n"));
+  // As many tics as the range holds, and one fewer: 1.25 / 0.1 and 4 / 0.1.
+  EXPECT_TRUE(abscissa_commands(inside, stops, 13).starts_with("set xtics 0.1\n"));
+  EXPECT_TRUE(abscissa_commands(inside, stops, 12).starts_with("set xtics 0.2\n"));
+  EXPECT_TRUE(abscissa_commands(beyond, stops, 40).starts_with("set xtics 0.1\n"));
+  EXPECT_TRUE(abscissa_commands(beyond, stops, 39).starts_with("set xtics 0.2\n"));
   EXPECT_NE(commands.find("set arrow from -0.75, graph 0 to -0.75, graph 1"), std::string::npos) << commands;
   Canvas canvas;
   draw_stops(stops, canvas);

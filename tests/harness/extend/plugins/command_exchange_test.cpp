@@ -114,7 +114,7 @@ TEST(ReadCommandAnswer, RefusesEventsThatCannotBe) {
   const Json open{{"kind", "open"}, {"contact", 0}, {"time", 1.5}};
   Json other = open;
   other["kind"] = "bounce";
-  EXPECT_NE(refused(Json::array({other})).find("kind = bounce"), std::string::npos);
+  EXPECT_NE(refused(Json::array({other})).find("events.kind = bounce"), std::string::npos);
   other = open;
   other["contact"] = 1;
   EXPECT_NE(refused(Json::array({other})).find("contact 1 of 1"), std::string::npos);

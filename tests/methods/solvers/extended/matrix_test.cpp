@@ -58,6 +58,15 @@ TEST(ExtendedMatrix, HoldsWhatADoubleHoldsAndIsRoundedToTheNearest) {
   EXPECT_EQ(extended::rounded(ExtendedMatrix(0, 0)).size(), 0);
 }
 
+TEST(ExtendedMatrix, KnowsWhatIsFinite) {
+  ExtendedMatrix A = extended::identity(3);
+  EXPECT_TRUE(extended::all_finite(A));
+  A(1, 2) = std::numeric_limits<long double>::infinity();
+  EXPECT_FALSE(extended::all_finite(A));
+  A(1, 2) = std::numeric_limits<long double>::quiet_NaN();
+  EXPECT_FALSE(extended::all_finite(A));
+}
+
 TEST(ExtendedMatrix, NormIsTheRootOfTheSumOfSquares) {
   ExtendedMatrix A(1, 2);
   A(0, 0) = 3e300L;
