@@ -98,7 +98,7 @@ SequencedOrbit orbit_of_mode(const OrbitFamily& family, const RestBesideStops& r
 // What begins at the contacts that the mode reaches: an impact, or a phase of contact or its interruption.
 SequencedOrbit with_beginnings(SequencedOrbit orbit, std::vector<int> reached,
                                const Eigen::VectorXd& amplitudes, const ContactDynamics& dynamics) {
-  std::ranges::stable_partition(reached, [&](int j) { return !dynamics.rigid(j); });
+  std::stable_partition(reached.begin(), reached.end(), [&](int j) { return !dynamics.rigid(j); });
   for (const int j : reached)
     orbit = with_touch(orbit, j, (amplitudes[j] > 0.0 ? 0.5 : 1.5) * std::numbers::pi, dynamics);
   return orbit;
