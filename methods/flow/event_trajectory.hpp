@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "methods/flow/flow_record.hpp"
+#include "methods/flow/integrated_trajectory.hpp"
 #include "methods/solution.hpp"
 
 namespace signorini {
@@ -17,7 +18,7 @@ std::vector<Impulse> impulses_of(const std::vector<ContactEvent>& events);
 /// h^10 |x^(10)| / 3.7e9 at most (10! 2^10) for a step h: round-off at the steps that CVODE takes.
 /// The velocity is right-sided; the force is the multiplier of a sticking contact or that of a compliant
 /// stop.
-class EventTrajectory final : public Trajectory {
+class EventTrajectory final : public IntegratedTrajectory {
  public:
   /// \param start   state at the instant where the motion was cut open
   /// \param nodes   in time order from start.time to start.time + period, two at each event

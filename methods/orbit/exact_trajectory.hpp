@@ -20,7 +20,7 @@ struct OrbitQuality {
 /// Motion and contact force of a polished orbit, evaluated exactly (to round-off) at any instant; the
 /// velocity is right-sided at impacts. Of all contacts of the scene, whether they act in the model or stay
 /// open (OpenContacts); only `orbit` counts those that act.
-class ExactTrajectory final : public Trajectory {
+class ExactTrajectory final : public IntegratedTrajectory {
  public:
   /// \param model  of the scene; kept alive
   /// \param arcs   m + 1 of them, arc i ending at event i; not started again afterwards
@@ -35,9 +35,9 @@ class ExactTrajectory final : public Trajectory {
   /// Openings with their push.
   [[nodiscard]] std::optional<std::vector<ContactEvent>> events() const override;
 
-  /// Fourier coefficients n = 0..count of force and impulses in closed form, (count+1) x Nc [N]; empty where
-  /// the motion between two events is not known as a sum of modes (FlowForm::exponential).
-  [[nodiscard]] Eigen::MatrixXcd force_spectrum(int count) const;
+  [[nodiscard]] std::optional<State> state(double time) const override { return at(time); }
+  /// Empty where the motion between two events is not known as a sum of modes (FlowForm::exponential).
+  [[nodiscard]] Eigen::MatrixXcd force_spectrum(int count) const override;
   /// Units of the scene's motions.
   [[nodiscard]] const MotionScales& scales() const { return model_->dynamics.scales(); }
   /// State of the coordinates with mass at any time [s].

@@ -5,28 +5,28 @@
 #include <optional>
 #include <utility>
 
-#include "methods/flow/event_trajectory.hpp"
-#include "methods/orbit/exact_trajectory.hpp"
+#include "methods/flow/integrated_trajectory.hpp"
+#include "methods/linear_flow/linear_flow.hpp"
 #include "methods/structure/bases/condensation.hpp"
 #include "methods/structure/state.hpp"
 
 namespace signorini {
 
 bool is_integrated(const Trajectory& motion) {
-  return dynamic_cast<const ExactTrajectory*>(&motion) != nullptr ||
-         dynamic_cast<const EventTrajectory*>(&motion) != nullptr;
+  return dynamic_cast<const IntegratedTrajectory*>(&motion) != nullptr;
 }
 
 std::optional<ExactMotion> ExactMotion::of(const Problem& problem, const Trajectory& motion) {
-  const auto* exact = dynamic_cast<const ExactTrajectory*>(&motion);
+  const auto* integrated = dynamic_cast<const IntegratedTrajectory*>(&motion);
   // Larger structures are reduced, and their states are those of other coordinates.
-  if (exact == nullptr || problem.size() > kMostInDenseFlow) return std::nullopt;
-  ExactMotion known(problem, *exact);
-  if (exact->at(0.0).v.size() != std::ssize(known.kept_)) return std::nullopt;
+  if (integrated == nullptr || problem.size() > kMostInDenseFlow) return std::nullopt;
+  const std::optional<State> start = integrated->state(0.0);
+  ExactMotion known(problem, *integrated);
+  if (!start || start->v.size() != std::ssize(known.kept_)) return std::nullopt;
   return known;
 }
 
-ExactMotion::ExactMotion(const Problem& problem, const ExactTrajectory& motion)
+ExactMotion::ExactMotion(const Problem& problem, const IntegratedTrajectory& motion)
     : motion_(&motion), contacts_(problem.contacts), kept_(condense(problem).kept) {}
 
 Eigen::Index ExactMotion::place_of(int dof) const {
@@ -46,7 +46,8 @@ std::vector<SpeedsBeside> ExactMotion::speeds_beside_impulses() const {
   const double aside = 8.0 * std::numeric_limits<double>::epsilon() * motion_->period();
   std::vector<SpeedsBeside> speeds;
   for (const Impulse& impulse : motion_->impulses()) {
-    const State before = motion_->at(impulse.time - aside), after = motion_->at(impulse.time + aside);
+    const State before = motion_->state(impulse.time - aside).value(),
+                after = motion_->state(impulse.time + aside).value();
     double approach = 0.0, departure = 0.0;
     for (const auto& [dof, coefficient] : contacts_[static_cast<std::size_t>(impulse.contact)].normal) {
       const Eigen::Index place = place_of(dof);
@@ -79,7 +80,7 @@ ExactMotion::Coordinates ExactMotion::coordinates(std::span<const int> dofs, int
     found.v.col(column) = samples->velocity.col(contact) / factor;
   }
   for (int i = 0; i < count && !places.empty(); ++i) {
-    const State state = motion_->at(i * (motion_->period() / count));
+    const State state = motion_->state(i * (motion_->period() / count)).value();
     for (const auto& [column, place] : places) {
       found.u(i, column) = state.u[place];
       found.v(i, column) = state.v[place];

@@ -1,5 +1,5 @@
 #pragma once
-// What an orbit in closed form knows beyond samples at its contacts.
+// What a motion with states knows beyond samples at its contacts.
 
 #include <Eigen/Core>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace signorini {
 
-class ExactTrajectory;
+class IntegratedTrajectory;
 
 /// x' of a contact just before and just after an impulse [m/s]; empty where it is not known.
 struct SpeedsBeside {
@@ -21,11 +21,11 @@ struct SpeedsBeside {
 /// Whether force and motion are one solution of the equation of motion between events (Motion::integrated).
 bool is_integrated(const Trajectory& motion);
 
-/// An exact orbit of a scene in the scene's own coordinates: of all those that have mass, and those without
-/// that a contact has for its own, as the faces of damped stops.
+/// A motion that keeps its states (IntegratedTrajectory) in the scene's own coordinates: of all those that
+/// have mass, and those without that a contact has for its own, as the faces of damped stops.
 class ExactMotion {
  public:
-  /// Empty where the motion is no exact orbit in closed form, or that of a reduced structure.
+  /// Empty where the motion keeps no states, or those of a reduced structure.
   /// \param motion  kept by the caller
   static std::optional<ExactMotion> of(const Problem& problem, const Trajectory& motion);
 
@@ -45,13 +45,13 @@ class ExactMotion {
   [[nodiscard]] Coordinates coordinates(std::span<const int> dofs, int count) const;
 
  private:
-  ExactMotion(const Problem& problem, const ExactTrajectory& motion);
+  ExactMotion(const Problem& problem, const IntegratedTrajectory& motion);
   /// Its place among those with mass; -1: it has none.
   [[nodiscard]] Eigen::Index place_of(int dof) const;
   /// The contact on this coordinate alone; -1: there is none.
   [[nodiscard]] Eigen::Index contact_on(int dof) const;
 
-  const ExactTrajectory* motion_;
+  const IntegratedTrajectory* motion_;
   std::vector<Contact> contacts_;
   std::vector<int> kept_;  // coordinates with mass, ascending
 };
