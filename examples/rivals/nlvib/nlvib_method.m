@@ -131,8 +131,7 @@ function [X, iterations] = curve_from(begin, omega, system, analysis, options)
   settings = struct("Dscale", [max(abs(linear)) * ones(size(start)); omega], "dynamicDscale", 1, "stoponerror", 0, ...
                     "reversaltolerance", Inf, "stepmax", 500);  % through folds, however far they lead
   newton = optimset("Display", "off", "Jacobian", "on", "MaxIter", 50);  % its own, in words that Octave takes
-  evalc(["[X, info] = solve_and_continue(start, follow, begin, omega, options.step * omega, ", ...
-         "settings, {}, newton);"]);  % it prints as it goes
+  [X, info] = solve_and_continue(start, follow, begin, omega, options.step * omega, settings, {}, newton);
   iterations = sum(info.NIT);
 end
 
@@ -230,6 +229,20 @@ function [R, J] = residual_at(x, omega, residual, scale)
   J = dR(:, 1:end - 1) * scale;
 end
 
+function answer = answer_to(request, kind)
+  follows = isfield(request, "follow");
+  try
+    if follows
+      answer = follow_curve(request.problem, request.options, kind, request.follow);
+    else
+      answer = solve_problem(request.problem, request.options, kind);
+    end
+  catch failure
+    answer = not_converged(failure.message);
+    if follows, answer = struct("branches", {{}}, "unfinished", failure.message); end
+  end
+end
+
 sources = getenv("NLVIB");
 if isempty(sources)
   fprintf(stderr, "NLVIB must name the folder of NLvib's sources\n");
@@ -244,16 +257,7 @@ while true
   try, line = input("", "s"); catch, break; end
   request = jsondecode(line);
   clock_start = tic;
-  try
-    if isfield(request, "follow")
-      answer = follow_curve(request.problem, request.options, kind, request.follow);
-    else
-      answer = solve_problem(request.problem, request.options, kind);
-    end
-  catch failure
-    answer = not_converged(failure.message);
-    if isfield(request, "follow"), answer = struct("branches", {{}}, "unfinished", failure.message); end
-  end
+  evalc("answer = answer_to(request, kind);");  % NLvib prints where a step does not converge
   answer.seconds = toc(clock_start);
   printf("%s\n", jsonencode(answer, "ConvertInfAndNaN", false));
   fflush(stdout);
