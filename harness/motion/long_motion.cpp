@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "harness/interrupt.hpp"
@@ -23,9 +24,11 @@ namespace signorini {
 
 namespace {
 
-constexpr double kTolerance = 1e-10;  // of the flow's events [-]
-constexpr double kStill = 1e-9;       // of the scales: no motion [-]
-constexpr double kLarge = 10.0;       // of the scale of the motion: what grows beyond it may be unbounded [-]
+constexpr double kTolerance = 1e-10;      // of the flow's events [-]
+constexpr double kStill = 1e-9;           // of the scales: no motion [-]
+constexpr std::size_t kLeastSteps = 100;  // of exponents that decide [-]
+constexpr int kHigher = 4;       // times the orders told at first: of a motion whose deviations fade [-]
+constexpr double kLarge = 10.0;  // of the scale of the motion: what grows beyond it may be unbounded [-]
 
 /// Whether sizes at the ends of parts, each twice as long as the one before, have grown to the last, which is
 /// larger than `large`.
@@ -81,6 +84,86 @@ std::vector<double> section_of(const ContactDynamics& dynamics, const FlowState&
   return row;
 }
 
+/// The least order at which the last rows of a section repeat, if there is one: over four times the order,
+/// and 64 rows at least, as displacements, which impacts do not jump over.
+std::optional<int> repeating_order(const std::vector<std::vector<double>>& section, int max_order) {
+  constexpr double kNear = 1e-3;  // of the range of x over all rows: nearer than tori mostly come
+  constexpr int kTurns = 4, kLeastRows = 64;
+  if (section.empty()) return std::nullopt;
+  std::vector<double> near(section.front().size());
+  for (std::size_t j = 0; j < near.size(); j += 2) {
+    const auto [least, largest] =
+        std::ranges::minmax_element(section, {}, [j](const auto& row) { return row[j]; });
+    near[j] = kNear * ((*largest)[j] - (*least)[j]);
+  }
+  const auto equal = [&near](const std::vector<double>& one, const std::vector<double>& other) {
+    for (std::size_t j = 0; j < near.size(); j += 2)
+      if (std::abs(one[j] - other[j]) > near[j]) return false;
+    return true;
+  };
+  for (int order = 1; order <= max_order; ++order) {
+    const int rows = std::max(kLeastRows, kTurns * order);
+    if (std::cmp_less(section.size(), rows + order)) return std::nullopt;
+    if (std::equal(section.end() - rows, section.end(), section.end() - rows - order, equal)) return order;
+  }
+  return std::nullopt;
+}
+
+/// Whether small deviations fade: an exponent that is negative beyond its error, and beyond rounding where
+/// all steps are alike.
+bool fades(const Estimate& per_period) {
+  constexpr double kRounding = 1e-9;
+  return per_period.value < -per_period.error - kRounding;
+}
+
+/// Whether they have faded to their e-th part since the start: else they do not in as many periods more.
+bool has_faded(const LyapunovSum& deviations, long marched) {
+  if (deviations.steps() < kLeastSteps) return false;
+  const Estimate largest = deviations.exponents().front();
+  return fades(largest) && largest.value * static_cast<double>(marched) < -1.0;
+}
+
+/// The exponents of a motion that does not settle, and the verdict by the largest one.
+void decide(const LyapunovSum& deviations, const PeriodMap& map, const LongMotionOptions& options,
+            LongMotion& result) {
+  constexpr double kTorusError = 5e-3;  // per period
+  constexpr double kTorusGrowth = 6.0;  // logarithm: tenfold by an even drift, the rest along the curve
+  constexpr double kFaded = 3.0;        // times that in which a mode fades: it has settled
+  constexpr double kGrown = 20.0;       // logarithm of the growth of a deviation over the whole time
+  if (deviations.steps() < kLeastSteps) {
+    result.reason = fmt::format("not periodic, and only {} periods could be measured", result.measured);
+    return;
+  }
+  const std::string_view further =
+      result.measured < options.periods ? "more time decides" : "more periods decide";
+  result.lyapunov = deviations.exponents();
+  const Estimate largest = result.lyapunov.front();
+  for (Estimate& exponent : result.lyapunov) {
+    exponent.value /= map.forcing_period();
+    exponent.error /= map.forcing_period();
+  }
+  const double grown = deviations.largest_growth();
+  if (largest.value > largest.error && largest.value * static_cast<double>(deviations.steps()) > kGrown) {
+    result.verdict = LongRun::irregular;
+  } else if (const double fading = periods_to_fade(map.flow().dynamics());
+             kFaded * fading > static_cast<double>(map.periods())) {
+    result.reason =
+        fmt::format("the slowest mode fades in {:.2g} periods: the motion may still settle", fading);
+  } else if (fades(largest)) {
+    result.reason = fmt::format(
+        "small deviations fade, but no period is seen: it settles slowly, or repeats after more periods than "
+        "are looked for: {}",
+        further);
+  } else if (largest.error > kTorusError) {
+    result.reason = fmt::format("the sign of the largest Lyapunov exponent is within its error: {}", further);
+  } else if (grown > kTorusGrowth) {
+    result.reason =
+        fmt::format("small deviations have grown by e^{:.2g}: a torus, or slow chaos: {}", grown, further);
+  } else {
+    result.verdict = LongRun::quasi_periodic;
+  }
+}
+
 /// Whether nothing moves at an instant, nor any contact over the period.
 bool is_still(const PeriodMap& map, const FlowState& at, std::span<const StopStatistics> stops,
               double length) {
@@ -103,11 +186,9 @@ class LongMotionFollower {
 
   LongMotion run() {
     try {
-      if (const std::optional<FixedPoint> orbit = settle()) {
-        measure_orbit(*orbit);
-      } else if (!keeps_growing(sizes_, kLarge)) {
-        measure();
-      }
+      std::optional<FixedPoint> orbit = settle();
+      if (!orbit && !keeps_growing(sizes_, kLarge)) orbit = measure();
+      if (orbit) measure_orbit(*orbit);
     } catch (const std::exception& error) {
       result_.reason = error.what();
     }
@@ -130,12 +211,33 @@ class LongMotionFollower {
       options.max_iterations = std::min(part, options_.transient - marched);
       FixedPoint found = march(map_, state_, options, [this] { return deadline_.passed(); });
       state_ = found.start;
-      if (found.converged) {
-        result_.settled_after = map_.periods();
-        return found;
-      }
+      if (found.converged) return found;
       sizes_.push_back(map_.scaled(state_.state).lpNorm<Eigen::Infinity>());
       if (deadline_.left() < until) break;
+    }
+    return std::nullopt;
+  }
+
+  /// The stable periodic motion that is reached since the motion is measured, if one is: looked for where
+  /// small deviations fade and, not for long, where the last periods nearly repeat, as after a chaotic
+  /// transient. The measurement goes on from where it is.
+  std::optional<FixedPoint> settle_later(const LyapunovSum& deviations) {
+    constexpr int kNotLong = 64;  // periods, or eight times the order
+    const int highest = kHigher * options_.max_order;
+    const std::optional<int> repeating = repeating_order(result_.section, highest);
+    const bool faded = has_faded(deviations, map_.periods());
+    if (!faded && !repeating) return std::nullopt;
+    const int order = repeating.value_or(highest);
+    const PeriodicMotionOptions options{
+        .tolerance = kTolerance,
+        .integrator = Integrator::modal,
+        .max_iterations = faded ? static_cast<int>(result_.measured) : std::max(kNotLong, 8 * order),
+        .max_order = faded ? highest : order};
+    try {
+      if (FixedPoint found = march(map_, state_, options, [this] { return deadline_.passed(); });
+          found.converged)
+        return found;
+    } catch (const FlowError&) {  // what is measured remains
     }
     return std::nullopt;
   }
@@ -157,6 +259,8 @@ class LongMotionFollower {
   /// Two turns of a periodic motion: what they differ by is the error of either.
   void measure_orbit(const FixedPoint& orbit) {
     const double period = orbit.order * map_.forcing_period();
+    result_.settled_after = orbit.iterations;
+    result_.section.clear();
     StopSums sums(flow_.dynamics().contact_count());
     FlowRecord turns[2];
     FlowState state = orbit.start;
@@ -192,18 +296,21 @@ class LongMotionFollower {
     result_.verdict = still ? LongRun::at_rest : LongRun::periodic;
   }
 
-  void measure() {
+  /// Exponents and statistics of a motion that does not settle; else the periodic motion that it comes to.
+  std::optional<FixedPoint> measure() {
+    constexpr long kFirstLook = 500;  // periods until it is looked for; then each time after twice as many
     const ContactDynamics& dynamics = flow_.dynamics();
     const double period = map_.forcing_period();
     LyapunovSum deviations(dynamics.states(), options_.exponents);
     StopSums sums(dynamics.contact_count());
     bool order_matters = false;
+    long next_look = std::min<long>(kFirstLook, options_.periods);
     // The section is that of t = 0, wherever the motion began.
     if (FlowRecord unused; state_.time > 0.0) {
       flow_.advance(state_, period - state_.time, unused);
       state_.time = 0.0;
     }
-    for (; result_.measured < options_.periods; ++result_.measured) {
+    while (result_.measured < options_.periods) {
       FlowRecord record;
       record.dense = record.tangent = true;
       record.derivative = deviations.frame();
@@ -219,46 +326,17 @@ class LongMotionFollower {
       deviations.take(record.derivative);
       sums.take(record, period);
       order_matters = order_matters || record.order_matters;
+      if (++result_.measured < next_look) continue;
+      if (std::optional<FixedPoint> orbit = settle_later(deviations)) return orbit;
+      next_look = std::min<long>(2 * next_look, options_.periods);
     }
     if (result_.measured > 0) result_.stops = sums.statistics();
     if (order_matters) {
       result_.reason = "simultaneous impacts feel each other: small deviations have no derivative";
     } else {
-      decide(deviations);
+      decide(deviations, map_, options_, result_);
     }
-  }
-
-  void decide(const LyapunovSum& deviations) {
-    constexpr std::size_t kLeastSteps = 100;
-    constexpr double kTorusError = 5e-3;  // per period
-    constexpr double kFaded = 3.0;        // times that in which a mode fades: it has settled
-    constexpr double kGrown = 20.0;       // logarithm of the growth of a deviation over the whole time
-    if (deviations.steps() < kLeastSteps) {
-      result_.reason = fmt::format("not periodic, and only {} periods could be measured", result_.measured);
-      return;
-    }
-    result_.lyapunov = deviations.exponents();
-    const Estimate largest = result_.lyapunov.front();
-    for (Estimate& exponent : result_.lyapunov) {
-      exponent.value /= map_.forcing_period();
-      exponent.error /= map_.forcing_period();
-    }
-    if (largest.value > largest.error && largest.value * static_cast<double>(deviations.steps()) > kGrown) {
-      result_.verdict = LongRun::irregular;
-    } else if (largest.value < -largest.error - kTorusError) {
-      result_.reason = fmt::format(
-          "small deviations fade, but no period of at most {} is seen: it settles "
-          "slowly, or repeats after more periods",
-          options_.max_order);
-    } else if (const double fading = periods_to_fade(flow_.dynamics());
-               kFaded * fading > static_cast<double>(map_.periods())) {
-      result_.reason =
-          fmt::format("the slowest mode fades in {:.2g} periods: the motion may still settle", fading);
-    } else if (largest.error <= kTorusError) {
-      result_.verdict = LongRun::quasi_periodic;
-    } else {
-      result_.reason = "the sign of the largest Lyapunov exponent is within its error: more periods decide";
-    }
+    return std::nullopt;
   }
 
   EventFlow flow_;

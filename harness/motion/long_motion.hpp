@@ -19,7 +19,7 @@ namespace signorini {
 /// How a motion ends.
 enum class LongRun {
   periodic,        ///< it settles to a stable periodic motion
-  quasi_periodic,  ///< the largest Lyapunov exponent is 0: a torus
+  quasi_periodic,  ///< the largest Lyapunov exponent is 0, and deviations stay small: a torus
   irregular,       ///< the largest Lyapunov exponent is positive: chaos
   at_rest,         ///< nothing moves any more
   unbounded,       ///< it grows without end
@@ -41,7 +41,7 @@ inline std::string_view name_of(LongRun verdict) {  ///< by EnumNames
 struct LongMotionOptions {
   int transient = 2000;  ///< forcing periods in which it may settle, at most; >= 1 [-]
   int periods = 4000;    ///< forcing periods over which what does not settle is measured, at most; >= 1 [-]
-  int max_order = 32;    ///< highest order of a periodic motion that is told from an irregular one [-]
+  int max_order = 32;    ///< highest order of a periodic motion that is looked for at first [-]
   int exponents = 4;     ///< Lyapunov exponents, at most; >= 1 [-]
 };
 
@@ -62,11 +62,14 @@ struct LongMotion {
 
 /// Follows the flow of a scene in closed form from `start` until it settles (`march`), or over
 /// `options.transient` periods and then `options.periods` more, in which small deviations and the stops are
-/// measured. Of a motion that does not settle the largest Lyapunov exponent decides: irregular where it is
-/// above 0 by more than its error, quasi-periodic where it is 0 within an error of at most 0.005 per period
-/// and the slowest mode has faded to e^-3, else undecided. Unbounded is what has grown from one part of the
-/// transient to the next, each twice as long, beyond ten scales of the motion, on a structure with a mode
-/// that no damper reaches; elsewhere such growth is a transient, and undecided.
+/// measured. What settles then, as after a chaotic transient, is looked for again where small deviations
+/// fade or the last periods nearly repeat, up to four times `options.max_order`. Of a motion that does not
+/// settle the largest Lyapunov exponent decides: irregular where it is above 0 by more than its error and a
+/// deviation grows by e^20, quasi-periodic where it is not below 0 by more than its error of at most 0.005
+/// per period, no deviation grows by more than e^6 and the slowest mode has faded to e^-3, else undecided.
+/// Unbounded is what has grown from one part of the transient to the next, each twice as long, beyond ten
+/// scales of the motion, on a structure with a mode that no damper reaches; elsewhere such growth is a
+/// transient, and undecided.
 ///
 /// \param deadline  ends it, as an interrupt does, with what is measured until then
 LongMotion follow_long_motion(const ContactDynamics& dynamics, const FlowState& start,

@@ -3,10 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
+
+namespace {
+
+/// What follows the first tenth, in which directions turn.
+std::span<const double> once_turned(std::span<const double> logs) { return logs.subspan(logs.size() / 10); }
+
+}  // namespace
 
 LyapunovSum::LyapunovSum(Eigen::Index size, Eigen::Index count)
     : frame_(Eigen::MatrixXd::Identity(size, std::min(size, count))),
@@ -23,11 +31,20 @@ void LyapunovSum::take(const Eigen::MatrixXd& image) {
 std::vector<Estimate> LyapunovSum::exponents() const {
   std::vector<Estimate> all;
   for (const std::vector<double>& logs : logs_) {
-    const std::size_t turning = logs.size() / 10;
-    all.push_back(batch_mean({logs.begin() + static_cast<std::ptrdiff_t>(turning), logs.end()}));
+    const std::span<const double> turned = once_turned(logs);
+    all.push_back(batch_mean({turned.begin(), turned.end()}));
   }
   std::ranges::sort(all, [](const Estimate& a, const Estimate& b) { return a.value > b.value; });
   return all;
+}
+
+double LyapunovSum::largest_growth() const {
+  double now = 0.0, largest = 0.0;  // from the step since which the direction is longest
+  for (const double log : once_turned(logs_.front())) {
+    now = std::max(0.0, now + log);
+    largest = std::max(largest, now);
+  }
+  return largest;
 }
 
 }  // namespace signorini

@@ -27,6 +27,9 @@ class LyapunovSum {
   /// The exponents per step, largest first, by batch means over all steps after the first tenth, in which the
   /// frame turns into the directions of growth; minus infinity where a step takes a direction to zero.
   [[nodiscard]] std::vector<Estimate> exponents() const;
+  /// Logarithm of the largest growth of the first direction from one of these steps to a later one: bounded
+  /// where the exponent is 0, as the logarithm of the steps where neighbours drift apart evenly.
+  [[nodiscard]] double largest_growth() const;
 
  private:
   Eigen::MatrixXd frame_;

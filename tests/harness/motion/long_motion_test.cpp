@@ -116,6 +116,70 @@ contact = [{ dof = 0, gap = 0.2263 }, { normal = [[0, -1.0]], gap = 0.09217 }])"
       << found.motion.reason << " after " << found.motion.settled_after;
 }
 
+Problem impact_oscillator(const std::string& frequency) {
+  return oscillator(
+      "system = { kind = \"sdof\", mass = 1.0, damping = 0.05, stiffness = 1.0 }\nforcing = { frequency = " +
+      frequency +
+      ", term = [{ dof = 0, cos = 1.0 }] }\ncontact = [{ dof = 0, gap = 0.0 }]\nlaw = { restitution = 0.7 }");
+}
+
+State beside_the_stop() { return {.u = Eigen::VectorXd::Constant(1, -0.1), .v = Eigen::VectorXd::Zero(1)}; }
+
+// Orders from a march in closed form by another program: past four and five doublings of a motion of two
+// periods.
+TEST(LongMotion, HasTheOrderOfTheLastDoubling) {
+  const Followed sixteen = follow(impact_oscillator("2.7576"), {}, beside_the_stop());
+  EXPECT_EQ(sixteen.motion.verdict, LongRun::periodic) << sixteen.motion.reason;
+  EXPECT_EQ(sixteen.motion.order, 16);
+  const Followed more = follow(impact_oscillator("2.7584"), {}, beside_the_stop());
+  EXPECT_EQ(more.motion.verdict, LongRun::periodic) << more.motion.reason;
+  EXPECT_EQ(more.motion.order, 32);
+}
+
+// Just before the doubling of its eight periods that march comes to it slowly: with an exponent near to 0.
+TEST(LongMotion, IsNoTorusWhereDeviationsFadeSlowly) {
+  const Problem problem = impact_oscillator("2.75725");
+  const Followed found = follow(problem, {}, beside_the_stop());
+  EXPECT_EQ(found.motion.verdict, LongRun::periodic) << found.motion.reason;
+  EXPECT_EQ(found.motion.order, 8);
+  const Followed later = follow(problem, {.periods = 600, .max_order = 2}, beside_the_stop());
+  EXPECT_EQ(later.motion.verdict, LongRun::periodic) << later.motion.reason;
+  EXPECT_EQ(later.motion.order, 8);
+  const Followed never = follow(problem, {.max_order = 1}, beside_the_stop());
+  EXPECT_EQ(never.motion.verdict, LongRun::undecided);
+  EXPECT_NE(never.motion.reason.find("small deviations fade"), std::string::npos) << never.motion.reason;
+}
+
+// Past the last doubling that march never repeats.
+TEST(LongMotion, IsNoTorusWhereChaosIsWeak) {
+  const Followed found = follow(impact_oscillator("2.7588"), {}, beside_the_stop());
+  EXPECT_EQ(found.motion.verdict, LongRun::irregular) << found.motion.reason << found.motion.order;
+}
+
+// A chain of two masses between springs whose chaotic transient lasts for thousands of periods.
+TEST(LongMotion, IsPeriodicWhereChaosEndsWhileItIsMeasured) {
+  const Followed found = follow(oscillator(
+      R"(system = { kind = "chain", masses = [0.63137, 0.9754], dampers = [0.014803, 0.0071468], springs = [1.3889, 0.67056] }
+forcing = { frequency = 0.618976, term = [{ dof = 1, cos = 1.0 }] }
+contact = [{ normal = [[1, 1.0]], gap = 0.2688 }, { normal = [[0, -1.0]], gap = 0.05886 }]
+law = { penalty = 31.33 })"));
+  EXPECT_EQ(found.motion.verdict, LongRun::periodic) << found.motion.reason;
+  EXPECT_LT(found.motion.lyapunov.front().value, 0.0);
+}
+
+// Damping so light that a deviation keeps 0.9998 of itself in a period, and a stop out of reach of the
+// resonance of amplitude F / (c omega) = 0.5.
+TEST(LongMotion, IsPeriodicWhereItFadesSlowly) {
+  const Followed found =
+      follow(oscillator(R"(system = { kind = "sdof", mass = 1.0, damping = 6.366835e-05, stiffness = 1.0 }
+forcing = { frequency = 1.0, term = [{ dof = 0, cos = 3.1834175e-05 }] }
+contact = [{ dof = 0, gap = 1.0 }]
+law = { penalty = 1.0 })"));
+  EXPECT_EQ(found.motion.verdict, LongRun::periodic) << found.motion.reason;
+  ASSERT_FALSE(found.motion.lyapunov.empty());
+  EXPECT_NEAR(found.motion.lyapunov.front().value, std::log(0.9998) / found.period, 1e-9);
+}
+
 // Two masses and a spring stop (NLvib, example 03) past the Neimark-Sacker point at 0.61860687 rad/s: one of
 // few random states goes to the torus, others to a motion of order 4.
 TEST(LongMotion, ATorusHasTheExponentZero) {

@@ -46,6 +46,26 @@ TEST(LyapunovSum, ErrorsHoldTheExponentOfTheLogisticMap) {
   EXPECT_NEAR(inside, 0.95 * kTrials, 0.05 * kTrials);
 }
 
+// A rotation seen in axes of which one is three times as long: deviations swing by that factor.
+TEST(LyapunovSum, GrowthIsBoundedOnATorus) {
+  const double cosine = std::cos(1.0), sine = std::sin(1.0);
+  Eigen::MatrixXd derivative(2, 2);
+  derivative << cosine, -sine / 3.0, 3.0 * sine, cosine;
+  LyapunovSum sum(2, 2);
+  for (int n = 0; n < 2000; ++n) sum.take(derivative * sum.frame());
+  EXPECT_NEAR(sum.largest_growth(), std::log(3.0), 1e-4);
+  EXPECT_NEAR(sum.exponents().front().value, 0.0, sum.exponents().front().error);
+}
+
+// Neighbours that drift apart evenly are n apart after n steps.
+TEST(LyapunovSum, GrowthByAnEvenDriftIsThatSinceTheFirstTenth) {
+  Eigen::MatrixXd derivative(2, 2);
+  derivative << 1.0, 0.0, 1.0, 1.0;
+  LyapunovSum sum(2, 1);
+  for (int n = 0; n < 1000; ++n) sum.take(derivative * sum.frame());
+  EXPECT_NEAR(sum.largest_growth(), std::log(std::hypot(1.0, 1000.0) / std::hypot(1.0, 100.0)), 1e-9);
+}
+
 TEST(LyapunovSum, LeavesOutStepsWithoutADerivative) {
   LyapunovSum sum(3, 1);
   for (int n = 0; n < 40; ++n) sum.take(2.0 * sum.frame());
