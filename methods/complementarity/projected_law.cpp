@@ -41,17 +41,35 @@ Eigen::MatrixXcd multiplied(const std::vector<Eigen::MatrixXcd>& blocks, const E
   return spectrum;
 }
 
-}  // namespace
-
-Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance) {
+/// The mean of |C_n - own| over H/2 <= n <= H, per contact [m/N]. Of compliances rather than of stiffnesses:
+/// antiresonances must not count.
+Eigen::VectorXd dynamic_compliance(const ContactReceptance& receptance, const Eigen::VectorXd& own) {
   const int highest = receptance.harmonics();
   const int lowest = (highest + 1) / 2;
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(receptance.contacts());
   for (int n = lowest; n <= highest; ++n) {
-    // The mean of |C_n| rather than of its inverse: antiresonances must not count.
-    mean += receptance.receptance[static_cast<std::size_t>(n)].diagonal().cwiseAbs() / (highest - lowest + 1);
+    const Eigen::VectorXcd of_contacts = receptance.receptance[static_cast<std::size_t>(n)].diagonal();
+    mean += (of_contacts - own).cwiseAbs() / (highest - lowest + 1);
   }
-  return mean.cwiseInverse();
+  return mean;
+}
+
+/// How far a contact without mass gives way to a unit force while all else stands; 0 of others [m/N].
+Eigen::VectorXd massless_compliance(const Problem& problem) {
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(problem.contact_count());
+  const SparseMatrix W = contact_directions(problem), held = problem.stiffness() * W;
+  for (int j = 0; j < problem.contact_count(); ++j) {
+    const double stiffness = held.col(j).dot(W.col(j));
+    const bool massless = std::holds_alternative<Massless>(problem.contacts[static_cast<std::size_t>(j)].law);
+    if (massless && stiffness > 0.0) own[j] = std::pow(W.col(j).squaredNorm(), 2) / stiffness;
+  }
+  return own;
+}
+
+}  // namespace
+
+Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance) {
+  return dynamic_compliance(receptance, Eigen::VectorXd::Zero(receptance.contacts())).cwiseInverse();
 }
 
 ProjectedLaw with_stiffness_factor(const ProjectedLaw& law, double factor) {
@@ -65,18 +83,17 @@ ProjectedLaw on_springs(const ProjectedLaw& law, double r) {
 
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance) {
+  const Eigen::VectorXd stop = stop_compliance(problem);
   ProjectedLaw law;
-  law.constant = c ? Eigen::VectorXd(*c * contact_stiffness_scale(problem))
-                   : Eigen::VectorXd(kConstantMultiple * highest_dynamic_stiffness(receptance));
-  law.multiplier_weight = Eigen::VectorXd::Ones(law.constant.size());
-  for (Eigen::Index j = 0; j < law.constant.size(); ++j) {
-    const auto* spring = spring_of(problem, j);
-    if (spring == nullptr) continue;
-    double& constant = law.constant[j];
-    // A larger constant than the spring's stiffness would have y made of the truncated part of lambda.
-    if (!c) constant = constant * spring->stiffness / (constant + spring->stiffness);
-    law.multiplier_weight[j] -= constant / spring->stiffness;
+  if (c) {
+    law.constant = *c * contact_stiffness_scale(problem);
+  } else {
+    // A larger constant than the stiffness of what has no mass, before a contact or behind it, would have y
+    // made of the truncated part of lambda.
+    const Eigen::VectorXd own = massless_compliance(problem);
+    law.constant = (dynamic_compliance(receptance, own) / kConstantMultiple + own + stop).cwiseInverse();
   }
+  law.multiplier_weight = (1.0 - law.constant.array() * stop.array()).matrix();
   return law;
 }
 

@@ -50,7 +50,9 @@ Eigen::VectorXd highest_dynamic_stiffness(const ContactReceptance& receptance);
 
 /// Signorini's condition, or a spring stop of the scene behind it, with the constant c asked for (times
 /// contact_stiffness_scale), else 4 times the highest dynamic stiffness kept, in series with the spring's:
-/// 0 < alpha <= 1 then, and for a soft spring c is nearly its stiffness and alpha nearly 0.
+/// 0 < alpha <= 1 then, and for a soft spring c is nearly its stiffness and alpha nearly 0. A contact without
+/// mass is to what has mass as a spring stop is: 1 / c = mean |C_n - C_m| / 4 + C_m, C_m its compliance while
+/// all else stands, |w|^4 / w^T K w, alpha = 1.
 ProjectedLaw lipschitz_law(const Problem& problem, const std::optional<double>& c,
                            const ContactReceptance& receptance);
 

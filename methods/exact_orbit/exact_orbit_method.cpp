@@ -22,6 +22,7 @@
 #include "methods/orbit/bifurcation_curves/bifurcation_curve.hpp"
 #include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/exact_orbit.hpp"
+#include "methods/orbit/failed_attempts.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/bases/condensation.hpp"
 
@@ -35,12 +36,37 @@ struct Attempt {
   std::function<Solution()> motion;
 };
 
+// Nodes of a coarse grid over the harmonics that take its place.
+constexpr int kSamplesPerHarmonic = 4;
+
 // Nodes of the first coarse grid: as many as asked for, times 4 until they resolve the load and the turns of
 // several contacts.
 int first_grid(const Problem& problem, int samples) {
   const int least = marches_several(problem) ? kMarchedPerPeriod * problem.subharmonic : 0;
   while (samples < least || !grid_support(problem, samples).ok) samples *= 4;
   return samples;
+}
+
+// A cold start with a quarter of the time that is left: of several contacts a path of pivots may take all.
+Start quarter_of(const Start& start) {
+  return {.guess = {}, .deadline = Deadline::after(std::max(0.0, start.deadline.left() / 4.0))};
+}
+
+// A motion by harmonic balance. A structure that cannot be reduced is a failed attempt, not the end.
+Solution series_motion(const Problem& problem, int harmonics, const Start& start) {
+  const bool spring = std::holds_alternative<Penalty>(problem.law());
+  const auto method_for = [spring](const Problem& solved) -> HarmonicMethod {
+    const auto law = [&solved, spring](const ContactReceptance& receptance) {
+      return spring ? penalty_law(solved, {}, receptance) : lipschitz_law(solved, {}, receptance);
+    };
+    return {.law_at = law, .grid_solver = lcp_grid_solver({})};
+  };
+  try {
+    const HarmonicOptions options{.harmonics = std::max(harmonics, load_bandwidth(problem))};
+    return prepare_harmonic_balance(problem, options, method_for)->solve(start);
+  } catch (const std::runtime_error& error) {
+    return {.message = error.what()};
+  }
 }
 
 SearchOptions search_options(const ExactOrbitMethod::Options& options, const Start& start) {
@@ -60,7 +86,7 @@ class PreparedExactOrbit final : public PreparedMethod {
       progress_.finder.emplace(problem_);  // anew: the flows that it keeps are part of every cold solve
       search(start);
     } catch (const std::exception& error) {  // a coarse grid that cannot be factorised
-      note_failure(grid_name(first_samples_, 0), error.what());
+      progress_.failed.note(grid_name(first_samples_, 0), error.what());
     }
     return finish();
   }
@@ -69,22 +95,12 @@ class PreparedExactOrbit final : public PreparedMethod {
   // What one solve has come to.
   struct Progress {
     std::optional<OrbitFinder> finder = {};
-    std::vector<std::pair<std::string, std::string>> failed = {};  // attempts, and the reason why these did
-    std::optional<ExactOrbit> best = {};                           // the orbit, or what came nearest to one
-    std::string name = {};                                         // of the attempt that led there
-    std::shared_ptr<const Trajectory> first = nullptr;             // motion found
+    FailedAttempts failed = {};
+    std::optional<ExactOrbit> best = {};                // the orbit, or what came nearest to one
+    std::string name = {};                              // of the attempt that led there
+    std::shared_ptr<const Trajectory> first = nullptr;  // motion found
     Work work = {};
   };
-
-  // Each reason counts once, with the names of the attempts that ended by it.
-  void note_failure(const std::string& name, const std::string& reason) {
-    using Failure = std::pair<std::string, std::string>;
-    const auto known = std::ranges::find(progress_.failed, reason, &Failure::second);
-    if (known == progress_.failed.end())
-      progress_.failed.emplace_back(name, reason);
-    else
-      known->first += ", " + name;
-  }
 
   // The algorithm: a motion from each source in turn, until one leads to an orbit; then the flow itself, from
   // the first motion found. The first attempt is enough nearly always; its grid is prepared once.
@@ -98,7 +114,8 @@ class PreparedExactOrbit final : public PreparedMethod {
       each.rounds = first.rounds = 1;  // a finer grid tells more than the flow from an unstable motion
     else
       first.followed = std::min(32, options_.marching);  // less than a shooting takes, and enough most often
-    if (attempt({grid_name(first_samples_, 0), [&] { return coarse_->solve(cold); }}, first)) return;
+    const Start coarse = several_ ? quarter_of(cold) : cold;
+    if (attempt({grid_name(first_samples_, 0), [&] { return coarse_->solve(coarse); }}, first)) return;
     for (const Attempt& next : further_attempts(cold)) {
       if (attempt(next, each)) return;
     }
@@ -109,14 +126,20 @@ class PreparedExactOrbit final : public PreparedMethod {
     polish(*progress_.first, "shooting and marching", last);
   }
 
-  // Other paths of pivots on the coarse grid, then finer grids, each with its paths but for the last; of
-  // several contacts, whose paths are long, finer grids alone; other equations.
+  // Other paths of pivots on the coarse grid, then finer grids, each with its paths but for the last; other
+  // equations. Of several contacts, whose paths are long, harmonic balance from the march, where it resolves
+  // phases of contact that the coarse grid does not, then finer grids alone.
   [[nodiscard]] std::vector<Attempt> further_attempts(const Start& cold) const {
     std::vector<Attempt> attempts;
     const auto add_grid = [&](int samples, int cover) {
       attempts.push_back({grid_name(samples, cover),
                           [this, &cold, samples, cover] { return grid(samples, cover)->solve(cold); }});
     };
+    const Attempt series{"harmonic balance", [this, &cold] {
+                           return series_motion(problem_, first_samples_ / kSamplesPerHarmonic,
+                                                several_ ? quarter_of(cold) : cold);
+                         }};
+    if (several_) attempts.push_back(series);
     int samples = first_samples_;
     for (int level = 0; level <= options_.refinements; ++level, samples *= 4) {
       if (level > 0) add_grid(samples, 0);
@@ -125,8 +148,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     }
     const Law scene_law = problem_.law();
     const auto* law = std::get_if<Restitution>(&scene_law);  // the series know no other restitution than 1
-    if (law == nullptr || law->e == 1.0)
-      attempts.push_back({"Fourier", [this, &cold] { return projected(cold); }});
+    if (!several_ && (law == nullptr || law->e == 1.0)) attempts.push_back(series);
     return attempts;
   }
 
@@ -135,7 +157,7 @@ class PreparedExactOrbit final : public PreparedMethod {
     const Solution motion = next.motion();
     progress_.work.pivots = progress_.work.pivots.value_or(0) + motion.work.pivots.value_or(0);
     if (!motion.trajectory) {
-      note_failure(next.name, motion.message);
+      progress_.failed.note(next.name, motion.message);
       return false;
     }
     if (!progress_.first) progress_.first = motion.trajectory;
@@ -144,14 +166,14 @@ class PreparedExactOrbit final : public PreparedMethod {
 
   bool polish(const Trajectory& motion, const std::string& name, const SearchOptions& options) {
     if (options.expired()) {
-      note_failure(name, "the time budget is spent");
+      progress_.failed.note(name, "the time budget is spent");
       return true;
     }
     OrbitSearch found = progress_.finder->find(motion, options);
     progress_.work.iterations = progress_.work.iterations.value_or(0) + found.iterations;
     ExactOrbit& orbit = found.orbit;
     const bool done = orbit.certified();
-    if (!done) note_failure(name, fmt::format("{}, {}", describe(orbit.outcome), orbit.reason));
+    if (!done) progress_.failed.note(name, fmt::format("{}, {}", describe(orbit.outcome), orbit.reason));
     std::optional<ExactOrbit>& best = progress_.best;
     if (done || !best || (orbit.trajectory && !best->trajectory)) {
       best = std::move(orbit);
@@ -176,30 +198,10 @@ class PreparedExactOrbit final : public PreparedMethod {
     return hat_contact(problem_, settings, scene_restitution(problem_));
   }
 
-  // The projected Fourier equations; a structure that they cannot reduce is a failed attempt, not the end.
-  [[nodiscard]] Solution projected(const Start& cold) const {
-    const int harmonics = std::max(first_samples_ / 4, load_bandwidth(problem_));
-    const bool spring = std::holds_alternative<Penalty>(problem_.law());
-    const auto method_for = [spring](const Problem& solved) -> HarmonicMethod {
-      const auto law = [&solved, spring](const ContactReceptance& receptance) {
-        return spring ? penalty_law(solved, {}, receptance) : lipschitz_law(solved, {}, receptance);
-      };
-      return {.law_at = law, .grid_solver = lcp_grid_solver({})};
-    };
-    try {
-      return prepare_harmonic_balance(problem_, {.harmonics = harmonics}, method_for)->solve(cold);
-    } catch (const std::runtime_error& error) {
-      return {.message = error.what()};
-    }
-  }
-
   Solution finish() {
     Solution solution{.work = progress_.work};
     if (progress_.finder) solution.work.unknowns = progress_.finder->model()->dynamics.states();
-    solution.message = "no exact orbit: ";
-    for (const auto& [names, reason] : progress_.failed)
-      solution.message +=
-          fmt::format("{}{}: {}", &names == &progress_.failed.front().first ? "" : "; ", names, reason);
+    solution.message = "no exact orbit: " + progress_.failed.text();
     if (!progress_.best) return solution;
     const ExactOrbit& orbit = *progress_.best;
     solution.trajectory = orbit.trajectory;
@@ -258,7 +260,7 @@ class PreparedReducedOrbit final : public PreparedMethod {
   // From the guess, on the vectors of the orbit at the frequency before, then on those that its force needs,
   // and where it leads to no orbit with a bar, by marching from rest.
   [[nodiscard]] ReducedOrbit find(const Start& start, const OrbitCorrectionSettings& settings) const {
-    if (!start.guess) return find_reduced_orbit(*problem_, space_, settings);
+    if (!start.guess) return find_cold(start, settings);
     long iterations = 0;
     if (near_) {
       ReducedOrbit near = continue_reduced_orbit(*problem_, *near_, *start.guess, settings);
@@ -268,10 +270,22 @@ class PreparedReducedOrbit final : public PreparedMethod {
     ReducedOrbit found = polish_reduced_orbit(*problem_, space_, *start.guess, settings);
     if (!found.corrected.bar && !start.expired()) {
       iterations += found.iterations;
-      found = find_reduced_orbit(*problem_, space_, settings);
+      const std::string of_guess = found.reason();
+      found = find_cold(start, settings);
+      found.failed.note("the guess", of_guess);
     }
     found.iterations += iterations;
     return found;
+  }
+
+  // Of larger structures, whose contacts may be hundreds, a series costs more than finer grids.
+  [[nodiscard]] ReducedOrbit find_cold(const Start& start, const OrbitCorrectionSettings& settings) const {
+    const OtherStart series = [&] {
+      const int harmonics = kMarchedPerPeriod * problem_->subharmonic / kSamplesPerHarmonic;
+      return series_motion(*problem_, harmonics, quarter_of(start));
+    };
+    return find_reduced_orbit(*problem_, space_, settings,
+                              problem_->size() <= kMostInDenseFlow ? series : OtherStart());
   }
 
   void take(const ReducedOrbit& found, Solution& solution) const {
@@ -284,9 +298,8 @@ class PreparedReducedOrbit final : public PreparedMethod {
     solution.trajectory = orbit.trajectory;
     solution.residual = orbit.residual;
     if (!corrected.bar) {
-      solution.message = fmt::format(
-          "no exact orbit of the structure reduced to {} vectors: {}", vectors,
-          corrected.refusal.empty() ? describe(orbit.outcome) + ", " + orbit.reason : corrected.refusal);
+      solution.message = fmt::format("no exact orbit of the structure reduced to {} vectors: {}", vectors,
+                                     found.failed.text().empty() ? found.reason() : found.failed.text());
       return;
     }
     solution.verdict = Verdict::converged;

@@ -12,8 +12,8 @@ namespace signorini {
 /// spring or massless contact (`hat_contact`). (2) Reads the sequence of impacts and contacts off the answer
 /// and polishes it to an exact orbit (`OrbitFinder`). Where that fails it marches some periods on the
 /// closed-form flow from there and shoots, takes other covering vectors and finer grids, where the law is
-/// conservative the projected Fourier equations too, and at the end shooting and marching. Represents the
-/// scene's own law always.
+/// conservative harmonic balance too (of several contacts before finer grids), and at the end shooting and
+/// marching. Represents the scene's own law always.
 ///
 /// Guarantee: a converged answer solves the equations of motion, the impact law and the periodicity to
 /// `tolerance` (or to the round-off stated), does not penetrate, and pulls nowhere (1e-11 of the scales); its

@@ -1,7 +1,6 @@
 #include "methods/harmonic_balance/harmonic_setup.hpp"
 
 #include <utility>
-#include <variant>
 
 #include "methods/structure/contact_reduction.hpp"
 
@@ -12,9 +11,8 @@ namespace {
 /// The reduced structure to march, from the receptance's own space where there is one.
 std::optional<ContactReduction> reduction_to_march(const HarmonicSetup& setup, ContactReduction found) {
   const Problem& problem = *setup.problem;
-  // Springs have a force that few harmonics hold, too.
-  const bool springs = std::holds_alternative<Penalty>(problem.law()) && marches_several(problem);
-  const bool wanted = springs || (setup.has_many_unknowns() && march_obstacle(problem).empty());
+  const bool wanted =
+      marches_several(problem) || (setup.has_many_unknowns() && march_obstacle(problem).empty());
   if (!setup.way_is_open() || !wanted) return std::nullopt;
   if (!found.obstacle.empty() && problem.size() <= kMostFactorised) found = reduce_to_contacts(problem);
   if (!found.obstacle.empty()) return std::nullopt;

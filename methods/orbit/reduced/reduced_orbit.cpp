@@ -1,5 +1,7 @@
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -17,6 +19,8 @@
 namespace signorini {
 
 namespace {
+
+constexpr const char* kHarmonicBalance = "harmonic balance";
 
 /// On the vectors that a space solves on, or on those that the force of the motion needs.
 ReducedOrbit orbit_near(const Problem& problem, const ContactSpace& given, const Trajectory& motion,
@@ -65,25 +69,51 @@ bool prefers_reduction(const Problem& problem) {
   return (sprung || problem.size() > kMostInDenseFlow) && reduction_obstacle(problem).empty();
 }
 
+std::string ReducedOrbit::reason() const {
+  const ExactOrbit& orbit = corrected.orbit;
+  return corrected.refusal.empty() ? describe(orbit.outcome) + ", " + orbit.reason : corrected.refusal;
+}
+
 ReducedOrbit find_reduced_orbit(const Problem& problem, const ContactSpace& space,
-                                const OrbitCorrectionSettings& settings) {
+                                const OrbitCorrectionSettings& settings, const OtherStart& harmonic_balance) {
   constexpr std::array kFiner{1, 4, 16};  // grids than the first
   OrbitCorrectionSettings quick = settings;
   quick.search.rounds = 1;
   quick.search.shootings = quick.search.marched = 0;
   ReducedOrbit result;
+  FailedAttempts failed;
   long iterations = 0;
+  // True if the search has come to its end.
+  const auto attempt = [&](const std::string& name, const std::string& start, const Trajectory& motion,
+                           const OrbitCorrectionSettings& effort) {
+    result = polish_reduced_orbit(problem, space, motion, effort);
+    result.start = start;
+    iterations += result.iterations;
+    if (result.corrected.bar) return true;
+    failed.note(name, result.reason());
+    return settings.search.expired();
+  };
+  bool done = false;
+  if (harmonic_balance) {
+    const Solution series = harmonic_balance();
+    if (series.verdict == Verdict::converged)
+      done = attempt(kHarmonicBalance, kHarmonicBalance, *series.trajectory, quick);
+    else
+      failed.note(kHarmonicBalance, series.message);
+  }
   PeriodicMarch marched;
   for (const int factor : kFiner) {
-    ContactMarch march(space.small(), march_grid(problem, factor * kMarchedPerPeriod * problem.subharmonic));
+    if (done) break;
+    const int nodes = factor * kMarchedPerPeriod * problem.subharmonic;
+    ContactMarch march(space.small(), march_grid(problem, nodes));
     marched = factor == 1 ? march_to_periodic_motion(march) : march_from(march, marched.state);
+    iterations += marched.newton_steps;
     const NodalTrajectory motion(problem.period(), std::move(marched.motion), std::move(marched.force));
-    result = polish_reduced_orbit(problem, space, motion, factor == kFiner.back() ? settings : quick);
-    result.start = "marching, " + std::string(describe(marched.by));
-    iterations += result.iterations + marched.newton_steps;
-    if (result.corrected.bar || settings.search.expired()) break;
+    done = attempt(fmt::format("N = {}", nodes), "marching, " + std::string(describe(marched.by)), motion,
+                   factor == kFiner.back() ? settings : quick);
   }
   result.iterations = iterations;
+  result.failed = std::move(failed);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "methods/discretisation/trajectories.hpp"
 #include "methods/exact_orbit/exact_orbit_method.hpp"
 #include "methods/penalty_hbm/penalty_hbm.hpp"
+#include "problems/scene/scene_file.hpp"
 #include "tests/support/accuracy.hpp"
 #include "tests/support/impact_oscillator.hpp"
 #include "tests/support/loose_parts.hpp"
@@ -223,6 +224,37 @@ TEST(FourierLipschitz, AnswersAlikeWhateverRestitutionTheSceneAsks) {
   const Solution lossy = solve<FourierLipschitz>(problem, {});
   ASSERT_EQ(elastic.verdict, Verdict::converged) << elastic.message;
   EXPECT_EQ(elastic.trajectory->sample(64).x, lossy.trajectory->sample(64).x);
+}
+
+// A node without mass on a spring before a rigid stop is a spring stop on the mass behind it.
+TEST(FourierLipschitz, SolvesAContactWithoutMassAsTheSpringStopThatItIs) {
+  const Problem on_mass = parse_scene(R"(
+schema = 1
+name = "sprung"
+system = { kind = "chain", masses = [1.0, 1.0], dampers = [0.1, 0.1], springs = [1.0, 1.0] }
+forcing = { frequency = 1.0, term = [{ dof = 1, cos = 1.0 }] }
+contact = [{ dof = 1, gap = 0.5 }]
+law = { penalty = 50.0 }
+)",
+                                      "sprung");
+  const Problem on_node = load_scene(find_scene("chain3-massless"));
+  const Solution sprung = solve<FourierLipschitz>(on_mass, {{.harmonics = 20}});
+  const Solution massless = solve<FourierLipschitz>(on_node, {{.harmonics = 20}});
+  ASSERT_EQ(massless.verdict, Verdict::converged) << massless.message;
+  ASSERT_EQ(sprung.verdict, Verdict::converged) << sprung.message;
+  const Eigen::MatrixXcd force = data_of(sprung).lambda;
+  EXPECT_LT((data_of(massless).lambda - force).norm(), 1e-8 * force.norm());
+}
+
+// The tube of code_aster V5.02.301 between eight springs with dampers.
+TEST(FourierLipschitz, FindsAMotionOfATubeAmongItsDampedStops) {
+  const Problem problem = load_scene(find_scene("sdnl301d"));
+  const Solution series = solve<FourierLipschitz>(problem, {});
+  ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
+  const Solution orbit = solve<ExactOrbitMethod>(problem, {}, series.trajectory);
+  ASSERT_EQ(orbit.verdict, Verdict::converged) << orbit.message;
+  EXPECT_NE(orbit.message.find("from the guess"), std::string::npos) << orbit.message;
+  EXPECT_LT(test::relative_distance(*series.trajectory, *orbit.trajectory), 0.02);
 }
 
 TEST(FourierLipschitz, RefusesOptionsOutOfRange) {
