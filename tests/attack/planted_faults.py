@@ -2,12 +2,15 @@
 """planted_faults.py BUILD [--faults N] [--seed S] [--only GLOB] [--table FILE]: can the tests fail?
 
 Plants one fault at a time, a sign, an operator, a constant or a branch, in a source of methods/ or harness/judge of a copy of the tree,
-builds, and runs the tests: first those of the mirrored folder, then all that are neither slow nor long. A fault that no test finds
-survives. Exit code 1 where more than one in ten survive that tests/attack/planted_faults.txt does not know with a reason; 77 where the
-copy cannot stand in the tree's place (mount name spaces need root).
+builds, and runs the tests: first those of the mirrored file, then those of its folder, then all that are neither slow nor long. Programs are
+built as their turn comes. A test finds a fault if it passes without it. A fault that no test finds survives. Exit code 1 where more than one
+in ten survive that tests/attack/planted_faults.txt does not know with a reason; 77 where the copy cannot stand in the tree's place (mount
+name spaces need root).
 """
 import argparse
 import fnmatch
+import json
+import os
 import pathlib
 import random
 import re
@@ -21,6 +24,7 @@ KNOWN = pathlib.Path(__file__).with_name("planted_faults.txt")
 FOLDERS = ("methods", "harness/judge")
 MOST_SURVIVORS = 0.1
 SKIPPED = 77
+QUICK = "-LE 'slow|long'"  # of ctest
 
 # What is planted: a pattern of one place in a line, and what it becomes.
 FAULTS = (
@@ -37,6 +41,7 @@ FAULTS = (
     ("constant", re.compile(r"(?<![\w.])1\.0(?![\de])"), "1.5"),
     ("branch", re.compile(r"(?<=if \().+(?=\) (?:return|continue|break)\b)"), "false"),
 )
+SUITE = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+)", re.MULTILINE)
 # Lines that hold no code of a function's body.
 PASSED_OVER = re.compile(r"^\s*(?://|#|template|static_assert|namespace|using|throw|fmt::|///)|\bthrow\b|\"|constexpr")
 
@@ -79,6 +84,18 @@ def drawn(faults, random_numbers):
     return random_numbers.choice(faults[file])
 
 
+def mirrored_suites(file):
+    """The suites of the test file that mirrors a source, then those of the folder."""
+    folder = TREE / "tests" / pathlib.PurePath(file).parent
+    files = sorted(folder.glob("*_test.cpp"))
+    for chosen in ([path for path in files if path.stem == pathlib.PurePath(file).stem + "_test"], files):
+        yield {suite for path in chosen for suite in SUITE.findall(path.read_text())}
+
+
+class NotBuilt(Exception):
+    pass
+
+
 class Copy:
     """A copy of the tree and of its build, in the tree's own place in a mount name space: what is built stays built."""
 
@@ -100,23 +117,36 @@ class Copy:
         except subprocess.TimeoutExpired:
             return subprocess.CompletedProcess(words, 124, "", "")
 
-    def make(self):
-        return self.run(f"cmake --build {self.build} --parallel", 3600).returncode == 0
+    def make(self, programs=()):
+        targets = f"--target {' '.join(programs)}" if programs else ""
+        return self.run(f"cmake --build {self.build} --parallel {targets}", 3600).returncode == 0
 
-    def finding_test(self, fault):
-        """The first test that fails; nothing where all pass."""
-        room = "".join(f"[{letter}{letter.upper()}]" for letter in fault.file.split("/")[1].replace("_", ""))
-        tests = f"ctest --test-dir {self.build} --stop-on-failure -LE 'slow|long' -j2"
-        for choice in (f"-R '{room}'", ""):
-            result = self.run(f"{tests} {choice}", 3600)
-            failed = re.search(r"\d+ - (\S+) \(", result.stdout)
-            if failed:
-                return failed.group(1)
-            if result.returncode == 124:
-                return "a test without end"
-        return None
+    def tests(self):
+        """All that are neither slow nor long, by name: the program of each."""
+        listed = json.loads(self.run(f"ctest --test-dir {self.build} {QUICK} --show-only=json-v1", 600).stdout)["tests"]
+        return {test["name"]: os.path.basename(test["command"][0]) for test in listed if "command" in test}
 
-    def try_fault(self, fault):
+    def failing(self, names=None):
+        """The first test that fails, of these or of all; nothing where all pass."""
+        chosen = "" if names is None else "-R '^(" + "|".join(map(re.escape, names)) + ")$'"
+        result = self.run(f"ctest --test-dir {self.build} --stop-on-failure {QUICK} -j2 {chosen}", 3600)
+        failed = re.search(r"\d+ - (.+) \((?!Skipped|Not Run)", result.stdout)
+        return failed.group(1) if failed else "a test without end" if result.returncode == 124 else None
+
+    def found_by(self, fault, tests):
+        """The test that finds a planted fault, nothing where all pass; NotBuilt where it leaves no program."""
+        for suites in mirrored_suites(fault.file):
+            names = [name for name in tests if set(re.split(r"[/.]", name)) & suites]
+            if names:
+                if not self.make({tests[name] for name in names}):
+                    raise NotBuilt
+                if test := self.failing(names):
+                    return test
+        if not self.make():
+            raise NotBuilt
+        return self.failing()
+
+    def try_fault(self, fault, tests):
         """found, survived or not built, and by which test."""
         target = self.path / fault.file
         text = target.read_text()
@@ -124,10 +154,10 @@ class Copy:
         lines[fault.number - 1] = fault.after + "\n"
         target.write_text("".join(lines))
         try:
-            if not self.make():
-                return "not built", ""
-            test = self.finding_test(fault)
+            test = self.found_by(fault, tests)
             return ("found", test) if test else ("survived", "")
+        except NotBuilt:
+            return "not built", ""
         finally:
             target.write_text(text)
 
@@ -162,12 +192,16 @@ def main():
         if not copy.make():
             print("the copy does not build")
             return 1
+        if test := copy.failing():
+            print(f"{test} fails without a fault")
+            return 1
+        tests = copy.tests()
         while len(rows) < asked.faults and len(tried) < sum(map(len, faults.values())):
             fault = drawn(faults, random_numbers)
             if fault.key() in tried:
                 continue
             tried.add(fault.key())
-            outcome, test = copy.try_fault(fault)
+            outcome, test = copy.try_fault(fault, tests)
             if outcome == "not built":
                 continue
             if outcome == "survived" and fault.key() in reasons:
