@@ -4,7 +4,6 @@
 
 #include "harness/commands/command_line.hpp"
 #include "harness/interrupt.hpp"
-#include "harness/plan/plan.hpp"
 #include "harness/reduction/reduction_files.hpp"
 #include "harness/reduction/shared_reduction.hpp"
 
@@ -24,7 +23,7 @@ int reduce(const ReduceArguments& arguments) {
   require_scene_file(order.out);
   std::string told;
   if (arguments.launch.processes > 0) {
-    (void)read_scene(find_scene(order.scene));  // what is wrong with it is told by one process
+    (void)read_reducible(find_scene(order.scene));  // what is wrong with it is told by one process
     watch_interrupts();
     try {
       told = reduce_by_mpi(order, arguments.launch);
@@ -34,7 +33,7 @@ int reduce(const ReduceArguments& arguments) {
     }
     if (interrupted()) return kInterrupted;
   } else {
-    const Scene scene = read_scene(find_scene(order.scene));
+    const ReducibleScene scene = read_reducible(find_scene(order.scene));
     require_room_for_factors(order.scene, scene.problem.stiffness());
     told = write_reduction(scene, order, factorise_here);
   }

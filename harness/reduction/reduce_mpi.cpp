@@ -22,7 +22,7 @@ namespace {
 // In rank 0. The exit code stays 0 where the scene is refused, for launchers comment on any other.
 void reduce_scene(const ReductionOrder& order, const Factorise& factorise) {
   try {
-    fmt::print("{}", write_reduction(read_scene(find_scene(order.scene)), order, factorise));
+    fmt::print("{}", write_reduction(read_reducible(find_scene(order.scene)), order, factorise));
     fmt::print("{}\n", kReductionDone);
   } catch (const UsageError& error) {
     fmt::print("{}{}\n", kReductionRefused, error.what());

@@ -4,16 +4,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "harness/failure.hpp"
 #include "harness/files.hpp"
 #include "harness/text/json.hpp"
 #include "methods/reduction/contact_space.hpp"
 #include "methods/reduction/reduced_problem.hpp"
+#include "methods/structure/bases/structure_modes.hpp"
+#include "problems/assembly/damping.hpp"
 #include "problems/files/kebab_case.hpp"
 #include "problems/sparse_cholesky.hpp"
 
@@ -29,7 +36,7 @@ std::string matrix_market(const SparseMatrix& A) {
   long entries = 0;
   for (int column = 0; column < A.outerSize(); ++column) {
     for (SparseMatrix::InnerIterator it(A, column); it; ++it) {
-      if (it.row() < it.col()) continue;
+      if (it.row() < it.col() || it.value() == 0.0) continue;
       fmt::format_to(std::back_inserter(rows), "{} {} {}\n", it.row() + 1, it.col() + 1, it.value());
       ++entries;
     }
@@ -44,8 +51,9 @@ std::string toml_string(const std::string& text) { return json_text(nlohmann::or
 /// Whether a scene may state the damping so: of an undamped structure with a damped stop alpha is negative.
 bool is_rayleigh(const ProportionalDamping& damping) { return damping.alpha >= 0.0 && damping.beta >= 0.0; }
 
+/// \param rayleigh  of the damping; none: it is a matrix in a file
 std::string scene_text(const Problem& reduced, const std::string& name, const std::string& of, int vectors,
-                       const ProportionalDamping& damping) {
+                       const std::optional<ProportionalDamping>& rayleigh) {
   std::string text =
       fmt::format("schema = 1\nname = {}\ntitle = {}\n", toml_string(name),
                   toml_string(fmt::format("{}, reduced to {} vectors",
@@ -57,11 +65,11 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
   std::vector<std::string> tags = reduced.tags;
   if (std::ranges::find(tags, "reduced") == tags.end()) tags.emplace_back("reduced");
   text += fmt::format("tags = {}\n\n", json_text(nlohmann::ordered_json(tags)));
-  text += fmt::format("[system]\nkind = \"matrices\"\nmass = {}\nstiffness = {}\n{}\n\n",
-                      toml_string(name + "-M.mtx"), toml_string(name + "-K.mtx"),
-                      is_rayleigh(damping)
-                          ? fmt::format("rayleigh = {{ alpha = {}, beta = {} }}", damping.alpha, damping.beta)
-                          : fmt::format("damping = {}", toml_string(name + "-D.mtx")));
+  text += fmt::format(
+      "[system]\nkind = \"matrices\"\nmass = {}\nstiffness = {}\n{}\n\n", toml_string(name + "-M.mtx"),
+      toml_string(name + "-K.mtx"),
+      rayleigh ? fmt::format("rayleigh = {{ alpha = {}, beta = {} }}", rayleigh->alpha, rayleigh->beta)
+               : fmt::format("damping = {}", toml_string(name + "-D.mtx")));
   text += fmt::format("[forcing]\nfrequency = {}\n", reduced.frequency);
   if (reduced.subharmonic > 1) text += fmt::format("subharmonic = {}\n", reduced.subharmonic);
   for (const ForceTerm& term : reduced.force)
@@ -81,15 +89,44 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
   return text;
 }
 
-/// |C_n - C_n^m| / |C_n| in Frobenius' norm, C_n by the larger of the two spaces.
-double receptance_error(const ContactSpace& space, double period, int harmonic) {
+/// The modes of an undamped structure, lowest last, by which a list of damping ratios counts; null where all
+/// are the same. \throws UsageError where they are too many to be found
+std::shared_ptr<const StructureModes> counted_modes(const ReducibleScene& scene, const std::string& word) {
+  if (std::ranges::adjacent_find(scene.ratios, std::not_equal_to{}) == scene.ratios.end()) return nullptr;
+  if (scene.problem.size() > kMostModalCoordinates)
+    throw UsageError(
+        fmt::format("scene = {} (must have one damping ratio for all modes: the modes of a list are counted "
+                    "among at most {} "
+                    "coordinates)",
+                    word, kMostModalCoordinates));
+  return uncoupled_modes(scene.problem);
+}
+
+/// Every vector has the damping ratio of the mode whose frequency is nearest. \param modes  null: the first
+/// one
+void damp(const std::vector<double>& ratios, const StructureModes* modes, ContactReduction& reduction) {
+  reduction.damping.resize(reduction.vectors());
+  for (Eigen::Index k = 0; k < reduction.vectors(); ++k) {
+    std::size_t mode = 0;
+    if (modes != nullptr) {
+      Eigen::Index nearest = 0;
+      (modes->mass.array() - 1.0 / reduction.squares[k]).abs().minCoeff(&nearest);
+      mode = static_cast<std::size_t>(modes->mass.size() - 1 - nearest);
+    }
+    reduction.damping[k] = 2.0 * ratios[std::min(mode, ratios.size() - 1)] * std::sqrt(reduction.squares[k]);
+  }
+}
+
+/// |C_n - C_n^m| / |C_n| in Frobenius' norm, C_n by the larger of two reductions.
+double receptance_error(const ContactReduction& small, const ContactReduction& large, double period,
+                        int harmonic) {
   const double rate = 2.0 * std::numbers::pi / period * harmonic;
   const auto at = [&](const ContactReduction& reduction) {
     return contact_receptance(reduction, period, 0, [&](int) { return exact_weights(rate); })
         .receptance.front();
   };
-  const Eigen::MatrixXcd whole = at(space.whole());
-  return (at(space.small()) - whole).norm() / whole.norm();
+  const Eigen::MatrixXcd whole = at(large);
+  return (at(small) - whole).norm() / whole.norm();
 }
 
 }  // namespace
@@ -121,7 +158,8 @@ void require_room_for_factors(const std::string& scene, const SparseMatrix& stif
       scene, least, 1e-9 * needed, 1e-9 * room));
 }
 
-std::string write_reduction(const Scene& scene, const ReductionOrder& order, const Factorise& factorise) {
+std::string write_reduction(const ReducibleScene& scene, const ReductionOrder& order,
+                            const Factorise& factorise) {
   // Of few contacts the first powers of a Krylov space, which are better than as many modes.
   constexpr int kVectorsOfMany = 100, kVectorsOfFew = 90, kLeastPowers = 6;
   const Problem& problem = scene.problem;
@@ -129,28 +167,35 @@ std::string write_reduction(const Scene& scene, const ReductionOrder& order, con
   const int unasked =
       columns > kFewColumns ? kVectorsOfMany : std::max(kVectorsOfFew, kLeastPowers * columns);
   const int vectors_asked = order.vectors == 0 ? unasked : order.vectors;
+  const std::shared_ptr<const StructureModes> modes = counted_modes(scene, order.scene);
   const ContactSpace space(problem, {.small = vectors_asked, .factorise = factorise});
-  const ReducedProblem reduced = reduced_problem(problem, space.small());
+  ContactReduction small = space.small(), whole = space.whole();
+  std::optional<ProportionalDamping> rayleigh;
+  if (!scene.ratios.empty() && space.obstacle().empty()) {
+    for (ContactReduction* reduction : {&small, &whole}) damp(scene.ratios, modes.get(), *reduction);
+  } else if (is_rayleigh(space.damping())) {
+    rayleigh = space.damping();
+  }
+  const ReducedProblem reduced = reduced_problem(problem, small);
   if (!reduced.obstacle.empty())
     throw UsageError(
         fmt::format("scene = {} (must be one that can be reduced: {})", order.scene, reduced.obstacle));
-  const auto vectors = static_cast<int>(space.small().vectors());
+  const auto vectors = static_cast<int>(small.vectors());
   const fs::path folder = order.out.parent_path();
   const std::string name = order.out.stem().string();
   write_whole(folder / (name + "-M.mtx"), matrix_market(reduced.problem.mass()));
   write_whole(folder / (name + "-K.mtx"), matrix_market(reduced.problem.stiffness()));
-  if (!is_rayleigh(space.damping()))
-    write_whole(folder / (name + "-D.mtx"), matrix_market(reduced.problem.damping()));
-  write_whole(order.out, scene_text(reduced.problem, name, problem.name, vectors, space.damping()));
+  if (!rayleigh) write_whole(folder / (name + "-D.mtx"), matrix_market(reduced.problem.damping()));
+  write_whole(order.out, scene_text(reduced.problem, name, problem.name, vectors, rayleigh));
   std::string told = fmt::format(
       "{}: {} coordinates in place of {}: {} vectors, {} contacts, {} of them with a static compliance "
       "besides\n"
       "receptances of the contacts beside those on {} vectors:\n",
       order.out.string(), reduced.problem.size(), problem.size(), vectors, problem.contact_count(),
-      reduced.problem.size() - vectors, space.whole().vectors());
+      reduced.problem.size() - vectors, whole.vectors());
   for (const int harmonic : std::array{0, 1, 10, 100})
     told += fmt::format("  harmonic {:<4} {:.1e}\n", harmonic,
-                        receptance_error(space, problem.period(), harmonic));
+                        receptance_error(small, whole, problem.period(), harmonic));
   return told;
 }
 

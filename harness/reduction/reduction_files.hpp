@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/plan/plan.hpp"
 #include "harness/reduction/free_memory.hpp"
+#include "harness/reduction/reducible_scene.hpp"
 #include "problems/definite_solver.hpp"
 
 namespace signorini {
@@ -25,9 +25,11 @@ void require_scene_file(const std::filesystem::path& out);
 void require_room_for_factors(const std::string& scene, const SparseMatrix& stiffness,
                               double room = free_memory());
 
-/// Reduces the scene (`ContactSpace`, `reduced_problem`) and writes it as a scene of its own.
+/// Reduces the scene (`ContactSpace`, `reduced_problem`) and writes it as a scene of its own. Of damping
+/// ratios every vector has that of the mode whose frequency is nearest: itself, where it has converged.
 /// \return lines for the user: what was written, and how its receptances differ from those of more vectors
 /// \throws UsageError where the scene cannot be reduced, or a file not be written
-std::string write_reduction(const Scene& scene, const ReductionOrder& order, const Factorise& factorise);
+std::string write_reduction(const ReducibleScene& scene, const ReductionOrder& order,
+                            const Factorise& factorise);
 
 }  // namespace signorini

@@ -39,8 +39,8 @@ struct ReductionSettings {
 /// The Krylov space is the better one by orders of magnitude where it has six powers and damping grows with
 /// the stiffness; of many contacts it would be too large, and modes converge as the residual does.
 ///
-/// Of 400 coordinates at most, damping that is not proportional but does not couple modes either is taken
-/// too: then all modes are kept, from one dense eigenvalue problem, whatever the settings.
+/// Of 400 coordinates at most, of 2000 where it is a full matrix, damping that is not proportional but does
+/// not couple modes either is taken too: then all modes are kept, whatever the settings (`modal_reduction`).
 ///
 /// An obstacle: other damping, K not positive definite, neither contacts nor loads.
 ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSettings& settings = {});

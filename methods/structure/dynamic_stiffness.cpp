@@ -4,6 +4,10 @@
 #include <limits>
 #include <memory>
 
+#include "methods/solvers/dense_products.hpp"
+#include "methods/structure/bases/modal_reduction.hpp"
+#include "methods/structure/bases/structure_modes.hpp"
+#include "problems/assembly/damping.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/skew_parts.hpp"
@@ -15,6 +19,14 @@ namespace {
 // K is regular where its symmetric part is definite.
 bool holds(const SparseMatrix& K) {
   return is_symmetric(K) ? is_definite(K) : is_definite(symmetric_part(K));
+}
+
+/// All modes, null where a factorisation per harmonic costs less: with a full damping matrix one of these
+/// costs as much as a few harmonics.
+std::shared_ptr<const StructureModes> modes_in_place_of_factors(const Problem& problem) {
+  if (problem.size() <= kMostModal || problem.size() > kMostModalCoordinates || !has_full_damping(problem))
+    return nullptr;
+  return uncoupled_modes(problem);
 }
 
 }  // namespace
@@ -31,7 +43,7 @@ struct DynamicStiffness::Factors {
       dense_mass = problem.mass();
       dense_damping = problem.damping();
       dense_stiffness = problem.stiffness();
-    } else {
+    } else if (modes = modes_in_place_of_factors(problem); !modes) {
       mass = problem.mass().cast<std::complex<double>>();
       damping = problem.damping().cast<std::complex<double>>();
       stiffness = problem.stiffness().cast<std::complex<double>>();
@@ -54,12 +66,34 @@ struct DynamicStiffness::Factors {
       if (!(factors_of_matrix() > std::numeric_limits<double>::epsilon())) throw SingularStiffness();
       return;
     }
+    if (modes) return take_modes(weights);
     sparse = weights.mass * mass + weights.damping * damping + weights.stiffness * stiffness;
     sparse.makeCompressed();
     if (!analysed) sparse_lu->analyzePattern(sparse);
     analysed = true;
     sparse_lu->factorize(sparse);
     if (sparse_lu->info() != Eigen::Success) throw SingularStiffness();
+  }
+
+  void take_modes(const HarmonicWeights& weights) {
+    of_mode =
+        weights.mass * modes->mass + weights.damping * modes->damping + weights.stiffness * modes->stiffness;
+    const Eigen::ArrayXd terms = std::abs(weights.mass) * modes->mass.array() +
+                                 std::abs(weights.damping) * modes->damping.array() +
+                                 std::abs(weights.stiffness) * modes->stiffness.array().abs();
+    if (!(of_mode.array().abs() > std::numeric_limits<double>::epsilon() * terms).all())
+      throw SingularStiffness();
+  }
+
+  [[nodiscard]] Eigen::MatrixXcd solve_by_modes(const Eigen::MatrixXcd& rhs) const {
+    Eigen::MatrixXd parts(rhs.rows(), 2 * rhs.cols());
+    parts << rhs.real(), rhs.imag();
+    const Eigen::MatrixXd seen = transposed_product(modes->vectors, parts);
+    Eigen::MatrixXcd amplitudes(rhs.rows(), rhs.cols());
+    amplitudes.real() = seen.leftCols(rhs.cols());
+    amplitudes.imag() = seen.rightCols(rhs.cols());
+    for (Eigen::Index c = 0; c < rhs.cols(); ++c) amplitudes.col(c).array() /= of_mode.array();
+    return dense_product(modes->vectors, amplitudes);
   }
 
   // Of the dense matrix, or its inverse where it has few rows. Returns an estimate of its reciprocal
@@ -76,6 +110,7 @@ struct DynamicStiffness::Factors {
   [[nodiscard]] Eigen::MatrixXcd solve(const Eigen::MatrixXcd& rhs) const {
     if (dense && matrix.rows() <= kMostInverted) return inverse.lazyProduct(rhs);
     if (dense) return lu.solve(rhs);
+    if (modes) return solve_by_modes(rhs);
     Eigen::MatrixXcd solution = sparse_lu->solve(rhs);
     if (!solution.allFinite()) throw SingularStiffness();
     return solution;
@@ -89,7 +124,9 @@ struct DynamicStiffness::Factors {
   Eigen::MatrixXcd inverse;  // where it has kMostInverted rows at most
   ComplexLuFactors lu;
   SparseComplex mass, damping, stiffness, sparse;
-  std::unique_ptr<Eigen::UmfPackLU<SparseComplex>> sparse_lu;  // null where they are dense
+  std::unique_ptr<Eigen::UmfPackLU<SparseComplex>> sparse_lu;  // null where dense or by modes
+  std::shared_ptr<const StructureModes> modes;                 // in place of sparse factors
+  Eigen::VectorXcd of_mode;                                    // what Z is on each of them
 };
 
 DynamicStiffness::DynamicStiffness(const Problem& problem)

@@ -13,6 +13,7 @@
 #include "methods/structure/bases/block_lanczos.hpp"
 #include "methods/structure/bases/modal_reduction.hpp"
 #include "methods/structure/bases/ritz_reduction.hpp"
+#include "methods/structure/bases/structure_modes.hpp"
 #include "methods/structure/contact_reduction.hpp"
 #include "methods/structure/harmonic_pencil.hpp"
 #include "methods/structure/rigid_motions.hpp"
@@ -186,14 +187,10 @@ class ReducedModel {
   bool left_out_matters_ = false;  // some are open because of it alone
 };
 
-/// Whether all modes at once cost less than a factorisation per harmonic: where damping is a full matrix, as
-/// that of damping ratios is, and no factor is sparse.
+/// Whether all modes at once cost less than a factorisation per harmonic.
 bool prefers_modes(const Problem& problem, int harmonics) {
   constexpr int kHarmonics = 16;
-  constexpr double kFull = 0.25;
-  const double size = problem.size();
-  return !prefers_dense(problem) && problem.size() <= kMostModal && harmonics >= kHarmonics &&
-         static_cast<double>(problem.damping().nonZeros()) > kFull * size * size;
+  return !prefers_dense(problem) && harmonics >= kHarmonics && has_full_damping(problem);
 }
 
 /// C_n and free_n of some harmonics, by factorising their Z_n.

@@ -86,7 +86,7 @@ std::optional<ReducedReceptance> reduced_receptance(const Problem& problem, int 
 /// C_n and free response for n = 0..H under the discretisation that gives harmonic n its weights.
 /// Loads above harmonic H of the base frequency are dropped. Factorised (`factorised_receptance`), by dense
 /// factors up to 32 coordinates, to 2000, and where the damping is not proportional or projection turns out
-/// to cost more; else reduced, with an error of at most 1e-10 |C_n|_F. To 400 coordinates, a full damping
+/// to cost more; else reduced, with an error of at most 1e-10 |C_n|_F. To 2000 coordinates, a full damping
 /// matrix that does not couple the modes: by these (`modal_reduction`). \throws SingularStiffness
 ContactReceptance contact_receptance(const Problem& problem, int harmonics, const WeightsOfHarmonic& weights);
 

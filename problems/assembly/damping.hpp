@@ -17,8 +17,9 @@ struct ModalDamping {
 /// alpha, beta >= 0 in ProportionalDamping.
 using DampingModel = std::variant<ProportionalDamping, ModalDamping>;
 
-/// Largest number of coordinates for modal damping: it takes all modes, by dense arrays.
-inline constexpr int kMostModalCoordinates = 400;
+/// Largest number of coordinates for modal damping: it takes all modes, by dense arrays. A full D of so many
+/// has 48 MB, and they take some ten seconds.
+inline constexpr int kMostModalCoordinates = 2000;
 
 /// D, Nd x Nd [N s/m], symmetric positive semi-definite. M and K are symmetric positive semi-definite without
 /// a common null vector. Modes without mass (and what rounding cannot tell from them: more than about 1e7

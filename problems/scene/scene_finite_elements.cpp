@@ -95,11 +95,14 @@ SystemDescription damped_structure(SystemLayout layout, Assembly undamped, Dampi
           }};
 }
 
-ModalDamping read_modal(const SceneField& modal, int size) {
+ModalDamping read_modal(const SceneField& modal, int size, int most) {
   constexpr std::string_view kRequirement = "must be a damping ratio >= 0 [-], or a list of them";
-  if (size > kMostModalCoordinates) {
-    modal.refuse(fmt::format("a system of {} coordinates", size),
-                 fmt::format("modal damping takes at most {}: use alpha and beta", kMostModalCoordinates));
+  if (size > most) {
+    modal.refuse(
+        fmt::format("a system of {} coordinates", size),
+        fmt::format("modal damping takes at most {}: use alpha and beta, or solve the smaller scene that "
+                    "`signorini reduce` makes of this one",
+                    most));
   }
   if (!modal.is_array()) return {{modal.number(kRequirement, 0.0)}};
   ModalDamping damping;

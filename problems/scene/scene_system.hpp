@@ -88,8 +88,9 @@ double read_poisson(const SceneField& field);
 /// { alpha = .., beta = .. } or { modal = .. } for a system of `size` coordinates. \throws SceneError
 DampingModel read_damping(const SceneField& damping, int size);
 
-/// Damping ratios: one, or a list of them, for a system of `size` coordinates. \throws SceneError
-ModalDamping read_modal(const SceneField& modal, int size);
+/// Damping ratios: one, or a list of them, for a system of `size` coordinates, `most` at most. \throws
+/// SceneError
+ModalDamping read_modal(const SceneField& modal, int size, int most = kMostModalCoordinates);
 
 /// alpha and beta of a table, 0 where absent. \throws SceneError
 ProportionalDamping read_rayleigh(const SceneField& rayleigh);

@@ -3,11 +3,17 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
+#include "methods/solvers/constants.hpp"
+#include "methods/solvers/dense_products.hpp"
 #include "methods/structure/bases/condensation.hpp"
 #include "methods/structure/bases/ritz_reduction.hpp"
+#include "methods/structure/bases/structure_modes.hpp"
+#include "problems/assembly/damping.hpp"
 #include "problems/linear_algebra/cholesky.hpp"
+#include "problems/linear_algebra/products.hpp"
 #include "problems/linear_algebra/symmetric_eigen.hpp"
 
 namespace signorini {
@@ -27,9 +33,49 @@ bool is_decoupled(const Eigen::MatrixXd& D) {
   return true;
 }
 
+/// How many modes have mass: they are the last ones.
+Eigen::Index count_with_mass(const StructureModes& modes) {
+  const Eigen::Index size = modes.mass.size();
+  const double least = kEpsilon * static_cast<double>(size) * modes.mass[size - 1];
+  Eigen::Index count = 0;
+  while (count < size && modes.mass[size - 1 - count] > least) ++count;
+  return count;
+}
+
+/// From the modes that all who look at the structure share; those without mass follow statically, undamped.
+ContactReduction on_shared_modes(const Problem& problem) {
+  const LoadColumns load = load_columns(problem);
+  if (problem.contacts.empty() && load.columns.empty())
+    return ContactReduction::refused("nothing acts on the structure");
+  const std::shared_ptr<const StructureModes> modes = uncoupled_modes(problem);
+  if (!modes) return ContactReduction::refused("the damping couples modes");
+  if (modes->shift > 0.0) return ContactReduction::refused(kNotDefinite);
+  const Eigen::Index kept = count_with_mass(*modes), still = modes->mass.size() - kept;
+  if (still > 0 && modes->damping.head(still).maxCoeff() > kMatrixRounding * modes->damping.maxCoeff())
+    return ContactReduction::refused("motions without mass are damped");
+  ContactReduction result;
+  result.squares = modes->mass.tail(kept).reverse().cwiseInverse();
+  result.damping = modes->damping.tail(kept).reverse().cwiseProduct(result.squares);
+  const Eigen::MatrixXd contacts = (contact_directions(problem).transpose() * modes->vectors).transpose();
+  const Eigen::MatrixXd pushes =
+      (contact_directions(load.columns, problem.size()).transpose() * modes->vectors).transpose();
+  const Eigen::VectorXd omega = result.squares.cwiseSqrt();
+  result.rows = omega.asDiagonal() * contacts.bottomRows(kept).colwise().reverse();
+  result.rates = load.rates;
+  result.load =
+      product_in_complex(omega.asDiagonal() * pushes.bottomRows(kept).colwise().reverse(), load.weight);
+  const Eigen::MatrixXd seen = contacts.topRows(still);
+  result.compliance = transposed_product(seen, seen);
+  result.shift = product_in_complex(transposed_product(seen, pushes.topRows(still)), load.weight);
+  result.complete = true;
+  return result;
+}
+
 }  // namespace
 
 ContactReduction modal_reduction(const Problem& problem) {
+  if (problem.size() > kMostModal && problem.size() <= kMostModalCoordinates && has_full_damping(problem))
+    return on_shared_modes(problem);
   CondensedStructure whole = condense(problem, kMostModal);
   if (!whole.obstacle.empty()) return ContactReduction::refused(whole.obstacle);
   if (whole.normals.cols() == 0 && whole.load.isZero(0.0))

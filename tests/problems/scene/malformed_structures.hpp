@@ -188,9 +188,10 @@ inline constexpr Malformed kMalformedStructures[] = {
     {"BeamWithoutInertia", kBeam, 8, "", "3: system.inertia = missing (must be a positive number [m^4])"},
     {"BeamModalRatioAsText", kBeam, 11, "damping = { modal = [0.01, \"x\"] }",
      "11: system.damping.modal[1] = \"x\" (must be a damping ratio >= 0 [-])"},
-    {"BeamModalTooLarge", kBeam, 5, "elements = 201",
-     "11: system.damping.modal = a system of 402 coordinates (modal damping takes at most 400: use alpha and "
-     "beta)"},
+    {"BeamModalTooLarge", kBeam, 5, "elements = 1001",
+     "11: system.damping.modal = a system of 2002 coordinates (modal damping takes at most 2000: use alpha "
+     "and "
+     "beta, or solve the smaller scene that `signorini reduce` makes of this one)"},
     {"BeamModalOfNoModes", kBeam, 11, "damping = { modal = [] }",
      "11: system.damping.modal = [] (must be a damping ratio >= 0 [-], or a list of them)"},
     {"BeamWithMasslessRotation", kBeam, 16, "dof = 3",
