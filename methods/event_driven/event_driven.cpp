@@ -3,6 +3,7 @@
 #include "methods/linear_flow/contact_dynamics.hpp"
 #include "methods/periodic_motion/periodic_motion.hpp"
 #include "methods/structure/bases/condensation.hpp"
+#include "methods/structure/rigid_motions.hpp"
 
 namespace signorini {
 
@@ -11,7 +12,7 @@ namespace {
 class PreparedEventDriven final : public PreparedMethod {
  public:
   PreparedEventDriven(const Problem& problem, const EventDriven::Options& options)
-      : problem_(problem), options_(options), dynamics_(problem) {}
+      : problem_(with_idle_parts_held(problem).value_or(problem)), options_(options), dynamics_(problem_) {}
 
   Solution solve(const Start& start) override {
     return find_periodic_motion(problem_, dynamics_,
@@ -24,7 +25,7 @@ class PreparedEventDriven final : public PreparedMethod {
   }
 
  private:
-  const Problem& problem_;
+  Problem problem_;
   EventDriven::Options options_;
   ContactDynamics dynamics_;
 };

@@ -67,6 +67,13 @@ Solution find_periodic_motion(const Problem& problem, const ContactDynamics& dyn
                               const PeriodicMotionOptions& options, const Start& start) {
   Solution solution;
   solution.work.unknowns = dynamics.states();
+  const bool pushed =
+      std::ranges::any_of(problem.force, [](const ForceTerm& term) { return term.harmonic == 0; });
+  if (pushed) solution.message = unbalanced_mean_load(problem);
+  if (!solution.message.empty()) {
+    solution.verdict = Verdict::not_converged;
+    return solution;
+  }
   std::optional<EventFlow> flow;
   std::optional<PeriodMap> map;
   try {
@@ -78,10 +85,6 @@ Solution find_periodic_motion(const Problem& problem, const ContactDynamics& dyn
     solution.verdict = Verdict::not_converged;
     solution.message = error.what();
     if (map) solution.work.iterations = map->periods();
-  }
-  if (solution.verdict != Verdict::converged) {
-    if (std::string reason = unbalanced_mean_load(problem); !reason.empty())
-      solution.message = std::move(reason);
   }
   if (flow) solution.work.rhs_evaluations = flow->rhs_evaluations();
   return solution;

@@ -11,6 +11,8 @@
 #include "methods/discretisation/real_fft.hpp"
 #include "methods/solvers/constants.hpp"
 #include "methods/structure/receptance.hpp"
+#include "methods/structure/rigid_motions.hpp"
+#include "problems/linear_algebra/orthogonal.hpp"
 
 namespace signorini {
 
@@ -90,7 +92,15 @@ Eigen::VectorXd pressure_samples(const Trajectory& trajectory, int count, const 
 }
 
 PeriodicResponse::PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics)
-    : PeriodicResponse(problem, force_series(problem, trajectory, max_harmonics)) {}
+    : PeriodicResponse(problem, force_series(problem, trajectory, max_harmonics)) {
+  if (free_.cols() == 0) return;
+  const Samples motion = trajectory.sample(samples_for_spectrum(0));
+  const SparseMatrix directions = contact_directions(problem);
+  const Eigen::VectorXd missed = motion.x.colwise().mean().transpose() -
+                                 directions.transpose() * Eigen::VectorXd(u_.row(0).real().transpose());
+  const Eigen::MatrixXd felt = directions.transpose() * free_;
+  u_.row(0) += (free_ * least_norm_solve(felt, missed)).transpose().cast<std::complex<double>>();
+}
 
 PeriodicResponse::PeriodicResponse(const Problem& problem, const ForceSeries& series) {
   base_frequency_ = series.base_frequency;
@@ -100,8 +110,15 @@ PeriodicResponse::PeriodicResponse(const Problem& problem, const ForceSeries& se
   for (int n = 0; n < static_cast<int>(u_.rows()); ++n) {
     Eigen::VectorXcd rhs = directions * series.lambda.row(n).transpose();
     if (n % series.order == 0) rhs += (n == 0 ? 1.0 : 0.5) * load_harmonic(problem, n / series.order);
-    stiffness.factorise(exact_weights(n * base_frequency_));
-    u_.row(n) = stiffness.solve(rhs).transpose();
+    try {
+      stiffness.factorise(exact_weights(n * base_frequency_));
+      u_.row(n) = stiffness.solve(rhs).transpose();
+    } catch (const SingularStiffness&) {
+      if (n == 0) free_ = rigid_motions(problem);
+      if (n > 0 || free_.cols() == 0) throw;
+      const HeldStructure held(problem, free_, base_frequency_);
+      u_.row(0) = held.solve(rhs.real()).transpose().cast<std::complex<double>>();
+    }
   }
 }
 

@@ -29,10 +29,12 @@ ForceSeries force_series(const Problem& problem, const Trajectory& trajectory, i
 /// which `ContactResponse` does without.
 class PeriodicResponse {
  public:
-  /// H and the period as in `force_series`.
+  /// H and the period as in `force_series`. The mean of a structure with rigid motions is that of the
+  /// trajectory's contacts, and 0 along motions that these do not feel.
   /// \throws std::invalid_argument for a foreign period; std::runtime_error if some Z_n is singular
   PeriodicResponse(const Problem& problem, const Trajectory& trajectory, int max_harmonics = 512);
-  /// The same to a contact force that is given in harmonics. \throws std::runtime_error as above
+  /// The same to a contact force that is given in harmonics; rigid motions have the mean of HeldStructure.
+  /// \throws std::runtime_error as above
   PeriodicResponse(const Problem& problem, const ForceSeries& series);
 
   /// u and v at any time; v is the mean of its sides where it jumps.
@@ -42,7 +44,8 @@ class PeriodicResponse {
 
  private:
   double base_frequency_ = 0.0;
-  Eigen::MatrixXcd u_;  // (H+1) x Nd
+  Eigen::MatrixXcd u_;    // (H+1) x Nd
+  Eigen::MatrixXd free_;  // rigid motions R where K is singular, else empty
 };
 
 /// Fourier coefficients n = 0..count of the contact force, impulses included, (count+1) x Nc [N]:

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "methods/solvers/constants.hpp"
 #include "methods/solvers/lcp/lcp.hpp"
+#include "methods/structure/bases/massless_elimination.hpp"
 #include "methods/structure/bases/modal_reduction.hpp"
 #include "methods/structure/bases/ritz_reduction.hpp"
 #include "problems/assembly/penalty_supports.hpp"
@@ -23,6 +26,8 @@
 namespace signorini {
 
 namespace {
+
+constexpr double kBalanced = 1e-9;  // of the load: what is left of it is none
 
 /// S K S of unit diagonal, S diagonal, or less where inertia outweighs springs; 1 on rows without either.
 SparseMatrix unit_diagonal(const SparseMatrix& K, const Problem& problem, Eigen::VectorXd& scale) {
@@ -87,9 +92,12 @@ std::string direction_text(const Eigen::VectorXd& direction) {
   return order.size() > kMostNamed ? text + ", ..." : text;
 }
 
+/// Named are coordinates with mass, which the others follow: faces of damped stops are not the user's.
 /// \param motions  R  \param rest  of R^T f_0, what nothing balances
-NoPeriodicMotion unbalanced(const Eigen::MatrixXd& motions, const Eigen::VectorXd& rest) {
+NoPeriodicMotion unbalanced(const Problem& problem, const Eigen::MatrixXd& motions,
+                            const Eigen::VectorXd& rest) {
   Eigen::VectorXd direction = motions * rest;
+  direction = (problem.mass().diagonal().array() > 0.0).select(direction, 0.0);
   const double largest = direction.lpNorm<Eigen::Infinity>();
   direction /= largest;
   return NoPeriodicMotion{
@@ -99,8 +107,13 @@ NoPeriodicMotion unbalanced(const Eigen::MatrixXd& motions, const Eigen::VectorX
                   rest.squaredNorm() / largest, direction_text(direction))};
 }
 
-/// Coordinates of parts, joined by entries of M, D and K, of which none is a contact's.
+/// Coordinates of parts, joined by entries of M, D and K beyond rounding at the base frequency w, of which
+/// none is a contact's: the unit of a coordinate is its spring or w^2 M, whichever is larger.
 std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
+  const double rate = problem.base_frequency();
+  const Eigen::VectorXd unit = Eigen::VectorXd(problem.stiffness().diagonal())
+                                   .cwiseMax(rate * rate * Eigen::VectorXd(problem.mass().diagonal()))
+                                   .cwiseSqrt();
   std::vector<int> part(static_cast<std::size_t>(problem.size()));
   std::iota(part.begin(), part.end(), 0);
   const auto root = [&part](int i) {
@@ -110,14 +123,17 @@ std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
     }
     return i;
   };
+  double factor = rate * rate;  // w^2 M, w D and K
   for (const SparseMatrix* matrix : {&problem.mass(), &problem.damping(), &problem.stiffness()}) {
     for (int outer = 0; outer < matrix->outerSize(); ++outer) {
       for (SparseMatrix::InnerIterator it(*matrix, outer); it; ++it) {
-        if (it.value() == 0.0 || it.row() == it.col()) continue;
+        if (it.row() == it.col()) continue;
+        if (factor * std::abs(it.value()) <= kMatrixRounding * unit[it.row()] * unit[it.col()]) continue;
         const int a = root(static_cast<int>(it.row())), b = root(static_cast<int>(it.col()));
         part[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
       }
     }
+    factor /= rate;
   }
   std::vector<bool> touched(part.size(), false), apart(part.size(), false);
   for (const Contact& contact : problem.contacts)
@@ -125,6 +141,42 @@ std::vector<bool> coordinates_apart_from_contacts(const Problem& problem) {
   for (int i = 0; i < problem.size(); ++i)
     apart[static_cast<std::size_t>(i)] = !touched[static_cast<std::size_t>(root(i))];
   return apart;
+}
+
+/// Loads that carry what holds idle parts, springs w^2 A and dampers w A, along with the motion that the load
+/// gives these parts; none where one of them resonates undamped, and has no such motion.
+void move_as_before(const Problem& problem, const std::vector<bool>& idle, const SparseMatrix& A,
+                    Problem& held) {
+  std::vector<int> coordinates;
+  std::set<int> harmonics;
+  for (int i = 0; i < problem.size(); ++i)
+    if (idle[static_cast<std::size_t>(i)]) coordinates.push_back(i);
+  for (const ForceTerm& term : problem.force)
+    if (term.harmonic > 0 && idle[static_cast<std::size_t>(term.dof)]) harmonics.insert(term.harmonic);
+  if (harmonics.empty()) return;
+  const SparseMatrix picked = coordinate_selection(coordinates, problem.size());
+  Problem part;
+  part.edit_structure([&](Structure& s) {
+    s.mass = picked.transpose() * problem.mass() * picked;
+    s.damping = picked.transpose() * problem.damping() * picked;
+    s.stiffness = picked.transpose() * problem.stiffness() * picked;
+  });
+  const double rate = problem.base_frequency();
+  try {
+    DynamicStiffness stiffness(part);
+    for (const int harmonic : harmonics) {
+      const double w = harmonic * problem.frequency;
+      stiffness.factorise(exact_weights(w));
+      const Eigen::VectorXcd load = picked.transpose() * load_harmonic(problem, harmonic);
+      const Eigen::VectorXcd u = picked * Eigen::VectorXcd(stiffness.solve(load));
+      const Eigen::VectorXcd force = std::complex<double>(rate * rate, rate * w) * Eigen::VectorXcd(A * u);
+      for (const int i : coordinates)
+        held.force.push_back(
+            {.dof = i, .harmonic = harmonic, .cos = force[i].real(), .sin = -force[i].imag()});
+    }
+  } catch (const SingularStiffness&) {
+    held.force = problem.force;
+  }
 }
 
 }  // namespace
@@ -172,11 +224,18 @@ std::optional<Problem> with_idle_parts_held(const Problem& problem) {
     projection.col(static_cast<Eigen::Index>(i)).setZero();
   }
   if (projection.isZero(0.0)) return std::nullopt;
+  const Eigen::VectorXd mean = load_coefficient(problem, 0).real();
+  const double scale = (projection.cwiseAbs() * mean.cwiseAbs()).maxCoeff();
+  if ((projection * mean).cwiseAbs().maxCoeff() > kBalanced * scale) return std::nullopt;
   const double rate = problem.base_frequency();
   const SparseMatrix& M = problem.mass();
-  const Eigen::MatrixXd springs = rate * rate * (M * Eigen::MatrixXd(projection * M));
+  const SparseMatrix inertia = Eigen::MatrixXd(M * Eigen::MatrixXd(projection * M)).sparseView();
   Problem held = problem;
-  held.edit_structure([&](Structure& s) { s.stiffness += SparseMatrix(springs.sparseView()); });
+  held.edit_structure([&](Structure& s) {
+    s.stiffness += rate * rate * inertia;
+    s.damping += rate * inertia;
+  });
+  move_as_before(problem, idle, inertia, held);
   return held;
 }
 
@@ -188,8 +247,9 @@ std::string unbalanced_mean_load(const Problem& problem) {
     still.receptance.resize(1);
     still.free_response = Eigen::MatrixXcd::Zero(1, problem.contact_count());
     fill_static_receptance(problem, motions, still);
-  } catch (const std::runtime_error& error) {
+  } catch (const NoPeriodicMotion& error) {
     return error.what();
+  } catch (const SingularStiffness&) {  // which motion that leaves open, a march may tell
   }
   return {};
 }
@@ -218,7 +278,7 @@ Eigen::MatrixXd HeldStructure::solve(const Eigen::MatrixXd& load) const {
 
 void fill_static_receptance(const Problem& problem, const Eigen::MatrixXd& motions,
                             ContactReceptance& result) {
-  constexpr double kUnfelt = 1e-10, kBalanced = 1e-9;
+  constexpr double kUnfelt = 1e-10;  // of the largest entries of W and R, whose products may cancel
   const Eigen::MatrixXd directions(contact_directions(problem));
   const Eigen::VectorXd load = load_coefficient(problem, 0).real();
   const HeldStructure held(problem, motions, problem.base_frequency());
@@ -229,14 +289,14 @@ void fill_static_receptance(const Problem& problem, const Eigen::MatrixXd& motio
   // Motions along which contacts are felt, and others: the right singular vectors of E.
   const SingularValues felt = singular_vectors(directions.transpose() * motions);
   const Eigen::Index all = motions.cols();
-  const double largest = felt.values.size() > 0 ? felt.values[0] : 0.0;
+  const double largest = directions.cwiseAbs().maxCoeff() * motions.cwiseAbs().maxCoeff();
   const Eigen::Index count = (felt.values.array() > kUnfelt * largest).count();
   const Eigen::MatrixXd turned = motions * felt.V;
   const Eigen::VectorXd moving = turned.transpose() * load;
   const double scale = (turned.cwiseAbs().transpose() * load.cwiseAbs()).maxCoeff();
   const Eigen::VectorXd unfelt = moving.tail(all - count);
   if (unfelt.size() > 0 && unfelt.lpNorm<Eigen::Infinity>() > kBalanced * scale)
-    throw unbalanced(turned.rightCols(all - count), unfelt);
+    throw unbalanced(problem, turned.rightCols(all - count), unfelt);
   if (count == 0) return;
   result.rigid = directions.transpose() * turned.leftCols(count);
   result.rigid_load = moving.head(count);
@@ -247,7 +307,8 @@ void fill_static_receptance(const Problem& problem, const Eigen::MatrixXd& motio
   const auto z = solve_small_lcp(E * E.transpose(), -(E * result.rigid_load), held_rows);
   if (!z) return;
   const Eigen::VectorXd rest = result.rigid_load - E.transpose() * *z;
-  if (rest.lpNorm<Eigen::Infinity>() > kBalanced * scale) throw unbalanced(turned.leftCols(count), rest);
+  if (rest.lpNorm<Eigen::Infinity>() > kBalanced * scale)
+    throw unbalanced(problem, turned.leftCols(count), rest);
 }
 
 bool factorise_or_hold(const Problem& problem, const HarmonicWeights& weight, DynamicStiffness& stiffness,

@@ -30,10 +30,12 @@ Eigen::MatrixXd rigid_motions(const Problem& problem);
 /// m coordinates that hold R, Nd x m of rank m, in place: those of the largest pivots.
 std::vector<Eigen::Index> supports(Eigen::MatrixXd R);
 
-/// The scene with springs, w^2 M R R^T M at its base frequency w, on rigid motions of parts that hold no
-/// contact and that no element joins to one that does, or whose springs are below 1e-12 of w^2 M: what
-/// contacts feel is the same, and periodic motions are isolated. Nothing where every part holds a contact, or
-/// springs hold the others.
+/// The scene with springs, w^2 M R R^T M at its base frequency w, and dampers, w M R R^T M, on rigid motions
+/// of parts that hold no contact and that no element joins to one that does, or whose springs are below 1e-12
+/// of w^2 M: what contacts feel is the same, and periodic motions are isolated at every frequency, those of
+/// the parts told from their mean. Loads carry springs and dampers along, so that the parts move as without
+/// them. Nothing where every part holds a contact, springs hold the others, or the mean load moves one, which
+/// flies away.
 std::optional<Problem> with_idle_parts_held(const Problem& problem);
 
 /// Why no motion has the load's period, as NoPeriodicMotion says it; empty where the mean load is balanced or

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "problems/assembly/rotor.hpp"
 #include "problems/scene/scene_system.hpp"
 
@@ -151,13 +153,29 @@ std::vector<Contact> read_contact(const SceneField& contact, const SystemDescrip
   return read_ring(contact, system.size);
 }
 
+// A stop meets what moves: coordinates that a support by penalty holds at rest are left out of its normal.
+void leave_out(const std::vector<int>& held, const SceneField& contact, Contact& one) {
+  const auto rests = [&held](const auto& part) { return std::ranges::find(held, part.first) != held.end(); };
+  const auto resting = std::ranges::find_if(one.normal, rests);
+  if (resting == one.normal.end()) return;
+  const int dof = resting->first;
+  std::erase_if(one.normal, rests);
+  if (one.normal.empty() || contact["facets"].given())
+    contact.refuse(fmt::format("on coordinate {}", dof),
+                   "must act on coordinates that move: the stiffness of this one is a support by penalty, "
+                   "which holds it at rest");
+}
+
 }  // namespace
 
 FromTables<Contact> read_contacts(const SceneField& contacts, const SystemDescription& system) {
   FromTables<Contact> made;
   for (int table = 0; const SceneField& contact :
                       contacts.items_or_none("must be [[contact]] tables; left out if there is none")) {
-    for (Contact& one : read_contact(contact, system)) made.add(std::move(one), table);
+    for (Contact& one : read_contact(contact, system)) {
+      leave_out(system.held, contact, one);
+      made.add(std::move(one), table);
+    }
     if (made.things.size() > kMostContacts) {
       contact.refuse(fmt::format("{} contacts so far", made.things.size()),
                      fmt::format("must make at most {} in all", kMostContacts));

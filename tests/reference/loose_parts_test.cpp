@@ -187,6 +187,48 @@ TEST(SymmetricBar, IsMarchedToTheMotionThatPitchLeavesAlone) {
   expect_range(marched, 0, -0.490592, 0.218895, 2e-6);  // an independent flow
 }
 
+// A contact between two masses of a free chain feels no motion of all as one, to rounding: x has one mean
+// alone.
+TEST(LooseParts, AStopWithinAFreeChainLeavesTheMeanOfItsOwnDisplacement) {
+  const Problem problem = parse_scene(
+      "schema = 1\nname = \"free\"\n[system]\nkind = \"chain\"\nmasses = [1.3, 0.7, 0.9]\ndampers = [0.0, "
+      "0.1, 0.05]\nsprings = [0.0, 1.7, 2.3]\n[forcing]\nfrequency = 1.9\nterm = [{ dof = 0, cos = 0.8 }]\n"
+      "[[contact]]\nbetween = [0, 2]\ngap = 0.15\nrestitution = 0.6\n",
+      "free.toml");
+  const Solution exact = solved_by("exact-orbit", problem), grid = solved_by("hat-lcp", problem);
+  ASSERT_EQ(exact.verdict, Verdict::converged) << exact.message;
+  ASSERT_EQ(grid.verdict, Verdict::converged) << grid.message;
+  EXPECT_LT(test::relative_distance(*grid.trajectory, *exact.trajectory), 0.02);
+}
+
+// The oscillator's impulse is that of its closed form (m = k = 1, d = 0.1); a sine on a mass that nothing
+// damps would carry it away from rest.
+TEST(LooseParts, IdleMassesWithoutDampingChangeNothingBesideThem) {
+  const auto diagonal = [](double first, double second, double third) {
+    return SparseMatrix(Eigen::MatrixXd(Eigen::Vector3d(first, second, third).asDiagonal()).sparseView());
+  };
+  Problem problem = test::loose_mass(1.0, 0.1);
+  problem.edit_structure([&](Structure& s) {
+    s.mass = diagonal(1.0, 0.6, 0.4);
+    s.damping = diagonal(0.1, 0.0, 0.0);
+    s.stiffness = diagonal(1.0, 0.0, 0.0);
+  });
+  problem.frequency = 2.2;
+  problem.force = {{.dof = 0, .cos = 1.0}};
+  problem.contacts = {{.normal = {{0, 1.0}}, .gap = 0.2}};
+  problem.set_law(Restitution{0.8});
+  for (const bool loaded : {false, true}) {
+    if (loaded) problem.force.push_back({.dof = 1, .sin = 1.0});
+    for (const char* method : {"exact-orbit", "event-driven"}) {
+      SCOPED_TRACE(testing::Message() << method << (loaded ? ", loaded" : ""));
+      const Solution solution = solved_by(method, problem);
+      ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
+      ASSERT_EQ(solution.trajectory->impulses().size(), 1U);
+      EXPECT_NEAR(solution.trajectory->impulses()[0].value, -0.7998435577597911, 1e-7);
+    }
+  }
+}
+
 // The events of such a motion are none, and tell nothing of its mean: the state does.
 TEST(LooseParts, AMotionThatTouchesNothingLeadsToItself) {
   Problem floating = test::loose_mass(1.0, 0.3);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "methods/orbit/continuation/contact_changes.hpp"
+#include "methods/orbit/family/orbit_family.hpp"
 #include "methods/orbit/starts/one_impact_orbits.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
 #include "problems/scene/scene_file.hpp"
@@ -46,6 +47,38 @@ TEST(MixedLawCurves, OfAStopThatIsNeverReachedAreThoseOfOneLaw) {
     EXPECT_NEAR(nearest(*two, SpecialKind::fold, 3.693), 3.6934249832280, kLocated);
     EXPECT_NEAR(nearest(*two, SpecialKind::grazing, 2.423), 2.423367185351, kLocated);
   }
+}
+
+// Whether the mass beside the oscillator feels a damper to the ground, or nothing at all.
+TEST(LoosePartCurves, BesideAnIdleMassAreThoseWithoutIt) {
+  for (const char* damper : {"0.0", "0.3"}) {
+    const Problem problem = parse_scene(
+        std::string("schema = 1\nname = \"s\"\n[system]\nkind = \"chain\"\nmasses = [1.0, 0.6]\n"
+                    "dampers = [0.1, 0.0]\nsprings = [1.0, 0.0]\nground_springs = [0.0, 0.0]\n"
+                    "ground_dampers = [0.0, ") +
+            damper +
+            "]\n[forcing]\nfrequency = 2.0\nterm = [{ dof = 0, cos = 1.0 }]\n[[contact]]\ndof = 0\n" +
+            kRigid + "\n",
+        "s.toml");
+    const OrbitDiagram diagram = diagram_of(problem, 1.9, 2.6);
+    const OrbitBranch* one = branch_of(diagram, 1, 1);
+    ASSERT_TRUE(one) << damper;
+    EXPECT_NEAR(nearest(*one, SpecialKind::period_doubling, 2.265), 2.2652971759636, kLocated) << damper;
+  }
+}
+
+TEST(LoosePartCurves, AreRefusedOfPartsThatMayBeAnywhereAsOne) {
+  const auto pair = [](const char* spring) {
+    return parse_scene(
+        std::string("schema = 1\nname = \"s\"\n[system]\nkind = \"chain\"\nmasses = [1.3, 0.7, 0.9]\n"
+                    "dampers = [0.0, 0.1, 0.05]\nsprings = [") +
+            spring +
+            ", 1.7, 2.3]\n[forcing]\nfrequency = 1.9\nterm = [{ dof = 0, cos = 0.8 }]\n[[contact]]\n"
+            "between = [0, 2]\ngap = 0.15\nrestitution = 0.6\n",
+        "s.toml");
+  };
+  EXPECT_NE(continuation_obstacle(pair("0.0")).find("hold one of them by a weak spring"), std::string::npos);
+  EXPECT_EQ(continuation_obstacle(pair("0.01")), "");
 }
 
 struct Located {

@@ -5,10 +5,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "methods/solvers/constants.hpp"
+#include "methods/structure/rigid_motions.hpp"
+#include "problems/linear_algebra/singular_values.hpp"
 #include "problems/linear_algebra/sparse/sparse_factors.hpp"
 #include "problems/skew_parts.hpp"
 
 namespace signorini {
+
+namespace {
+
+// The scene as its orbits are isolated.
+Problem held(const Problem& problem) { return with_idle_parts_held(problem).value_or(problem); }
+
+// Along motions that no contact feels one point of a curve is as good as another.
+std::string free_motion_obstacle(const Problem& problem) {
+  if (std::string unbalanced = unbalanced_mean_load(problem); !unbalanced.empty()) return unbalanced;
+  const Eigen::MatrixXd motions = rigid_motions(held(problem));
+  if (motions.cols() == 0 || problem.contacts.empty()) return {};
+  const Eigen::MatrixXd directions = Eigen::MatrixXd(contact_directions(problem)).transpose();
+  const double scale = (directions.cwiseAbs() * motions.cwiseAbs()).maxCoeff();
+  const SingularValues felt = singular_vectors(directions * motions);
+  if ((felt.values.array() > kMatrixRounding * scale).count() == motions.cols()) return {};
+  return "parts that contacts alone tie together may be anywhere as one: hold one of them by a weak spring";
+}
+
+}  // namespace
 
 std::string continuation_obstacle(const Problem& problem) {
   if (problem.size() > kMostInDenseFlow)
@@ -19,6 +41,7 @@ std::string continuation_obstacle(const Problem& problem) {
         return law != nullptr && law->e < 1.0;
       });
   if (highest_load_harmonic(problem) == 0 && loses) return "without a periodic load it comes to rest";
+  if (std::string obstacle = free_motion_obstacle(problem); !obstacle.empty()) return obstacle;
   return flow_obstacle(problem);
 }
 
@@ -27,7 +50,7 @@ OrbitFamily::OrbitFamily(ParametrisedScene scene, const CurveUnits& units, std::
   const Problem problem = scene_.at(scene_.middle());
   driven_ = highest_load_harmonic(problem) > 0;
   if (scene_.parameter == kFrequency && !load_grows(problem) && !follows_speed(problem))
-    middle_ = std::make_unique<OrbitModel>(problem, modes_);
+    middle_ = std::make_unique<OrbitModel>(held(problem), modes_);
 }
 
 OrbitFamily::OrbitFamily(ParametrisedScene scene) : OrbitFamily(std::move(scene), CurveUnits{}) {
@@ -43,8 +66,9 @@ std::shared_ptr<OrbitModel> OrbitFamily::model(double parameter) {
   if (found != recent_.end()) {
     recent_.splice(recent_.begin(), recent_, found);
   } else {
-    recent_.emplace_front(parameter, middle_ ? std::make_shared<OrbitModel>(*middle_, parameter, modes_)
-                                             : std::make_shared<OrbitModel>(scene_.at(parameter), modes_));
+    recent_.emplace_front(parameter, middle_
+                                         ? std::make_shared<OrbitModel>(*middle_, parameter, modes_)
+                                         : std::make_shared<OrbitModel>(held(scene_.at(parameter)), modes_));
     if (recent_.size() > kKept) recent_.pop_back();
   }
   return recent_.front().second;

@@ -15,7 +15,8 @@
 namespace signorini {
 
 /// Why the orbits of a scene cannot be followed: too many coordinates; no periodic load, but dampers or
-/// impacts that take energy, so that nothing but rest returns. Empty where they can.
+/// impacts that take energy, so that nothing but rest returns; rigid motions that no contact feels, of parts
+/// with contacts, or that the mean load drives. Empty where they can.
 std::string continuation_obstacle(const Problem& problem);
 
 /// Units in which the length of a curve is measured. One set for all curves of a family: units that changed
@@ -26,7 +27,8 @@ struct CurveUnits {
   double parameter = 1.0;     ///< a third of the interval
 };
 
-/// The models of a parametrised scene, each made when first asked for.
+/// The models of a parametrised scene, each made when first asked for, with idle parts held
+/// (with_idle_parts_held).
 class OrbitFamily {
  public:
   /// X is the largest deflection under the amplitudes of the load at rest, the largest gap or

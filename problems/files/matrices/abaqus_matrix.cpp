@@ -20,7 +20,7 @@ void for_each_abaqus_entry(TextLines& lines, Visit visit) {
   using Limits = std::numeric_limits<int>;
   std::int64_t entries = 0;
   while (lines.next()) {
-    if (lines.words()[0].starts_with("**")) continue;
+    if (lines.words()[0].starts_with('*')) continue;
     if (lines.words().size() != kAbaqusWords)
       lines.refuse("entry", "must be node, degree of freedom, node, degree of freedom and value");
     std::array<std::int64_t, kAbaqusWords - 1> at{};

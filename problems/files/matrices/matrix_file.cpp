@@ -10,7 +10,7 @@ enum class MatrixFormat { matrix_market, abaqus, harwell_boeing };
 MatrixFormat format_of_matrix(std::string_view text, const std::string& name) {
   TextLines lines(text, name);
   while (lines.next()) {
-    if (lines.words()[0].starts_with("**")) continue;
+    if (lines.words()[0].starts_with('*')) continue;
     if (is_abaqus_entry(lines.line())) return MatrixFormat::abaqus;
     break;
   }

@@ -27,8 +27,8 @@ MatrixFile read_matrix_market(std::string_view text, const std::string& name);
 /// Degrees of freedom of nodes, (node, degree of freedom), by rising node: the coordinates of a structure.
 using NodeDofs = std::set<std::pair<std::int64_t, std::int64_t>>;
 
-/// Whether a line, the first with content that is no comment (**), begins such a file: node, degree of
-/// freedom, node, degree of freedom and value, parted by commas.
+/// Whether a line, the first with content that is no comment (**) or keyword (*MATRIX INPUT), begins such a
+/// file: node, degree of freedom, node, degree of freedom and value, parted by commas.
 bool is_abaqus_entry(std::string_view line);
 
 /// The degrees of freedom that the entries of a file name. \throws SceneError for a line that is no entry

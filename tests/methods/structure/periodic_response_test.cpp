@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 
 namespace signorini::periodic_response_test {
 namespace {
@@ -61,6 +62,38 @@ TEST(PeriodicResponse, AcceptsSubharmonicsAndRefusesForeignPeriods) {
   const PeriodicResponse thrice(problem, Impacts(3 * problem.period(), {}));
   EXPECT_NEAR(once.at(0.4).u[0], thrice.at(0.4).u[0], 1e-14);
   EXPECT_THROW(PeriodicResponse(problem, Impacts(1.3 * problem.period(), {})), std::invalid_argument);
+}
+
+/// The contact of test::bouncing_ball struck once a period, with the mean of x.
+class Bounces final : public Trajectory {
+ public:
+  Bounces(double instant, double mean) : instant_(instant), mean_(mean) {}
+  [[nodiscard]] int contact_count() const override { return 1; }
+  [[nodiscard]] double period() const override { return test::bouncing_ball().period(); }
+  [[nodiscard]] Samples sample(int count) const override {
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, 1);
+    return {Eigen::MatrixXd::Constant(count, 1, mean_), zero, zero};
+  }
+  [[nodiscard]] std::vector<Impulse> impulses() const override {
+    return {{.contact = 0, .time = instant_, .value = -test::kBallImpulse}};
+  }
+
+ private:
+  double instant_, mean_;
+};
+
+// u = A (cos w t - cos w t_0) + g s (s - T) / 2, s = t - t_0 the time since the impact at t_0.
+TEST(PeriodicResponse, OfAFreeBodyHasTheMeanOfItsContacts) {
+  constexpr double kInstant = 0.1, kGravity = 9.81, kAmplitude = 0.05;
+  const Problem ball = test::bouncing_ball();
+  const double w = ball.frequency, T = ball.period(), rest = kAmplitude * std::cos(w * kInstant);
+  const PeriodicResponse response(ball, Bounces(kInstant, -rest - kGravity * T * T / 12.0), 4000);
+  for (const double since : {0.1 * T, 0.5 * T, 0.8 * T}) {
+    const double t = kInstant + since;
+    const double flight = 0.5 * kGravity * since * (since - T);
+    EXPECT_NEAR(response.at(t).u[0], kAmplitude * std::cos(w * t) - rest + flight, 1e-6);
+    EXPECT_NEAR(response.at(t).v[0], -kAmplitude * w * std::sin(w * t) + kGravity * (since - 0.5 * T), 1e-3);
+  }
 }
 
 TEST(PressureSamples, PutsAnImpulseOnTheNearestInstant) {

@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <numbers>
 #include <string>
 
 #include "methods/structure/receptance.hpp"
 #include "problems/assembly/chain.hpp"
+#include "problems/damped_stops.hpp"
+#include "problems/linear_algebra/complex_lu.hpp"
+#include "problems/linear_algebra/exponential.hpp"
 #include "tests/support/loose_parts.hpp"
 
 namespace signorini::rigid_motions_test {
@@ -129,6 +133,64 @@ TEST(StaticReceptance, ThrowsWhereAnIdlePartIsDriven) {
   problem.set_law(Restitution{0.8});
   problem.force = {{.dof = 1, .harmonic = 0, .cos = 3.0}};
   EXPECT_THROW(fourier_receptance(problem, 1), NoPeriodicMotion);
+}
+
+// The face that a damped stop adds behind the structure's coordinates is none of the user's.
+TEST(StaticReceptance, NamesCoordinatesWithMassAlone) {
+  Problem ball = test::bouncing_ball();
+  ball.force.front().cos = -9.81;
+  damp_stops(ball, {{.contact = 0, .normal = {{0, 1.0}}, .stiffness = 20.0, .damping = 0.5}});
+  EXPECT_EQ(unbalanced_mean_load(ball),
+            "no periodic motion: neither springs nor contacts balance the mean load of 9.81 N along the free "
+            "motion (coordinate 0: -1)");
+}
+
+/// Two masses of 1 kg on a spring between them and none to the ground, beside one on a spring before a stop;
+/// `noise` couples the second with the last.
+Problem beside_an_idle_pair(double noise) {
+  Eigen::Matrix3d K;
+  K << 3.0, -3.0, 0.0, -3.0, 3.0, noise, 0.0, noise, 1.0;
+  Problem problem = of_matrices(Eigen::Matrix3d::Identity(), K);
+  problem.contacts = {{.normal = {{2, 1.0}}, .gap = 0.2}};
+  problem.set_law(Restitution{0.8});
+  problem.frequency = 2.2;
+  return problem;
+}
+
+// Along a period, by the flow of (u, v): the pair as one is nowhere at home without what holds it.
+TEST(IdleParts, AreHeldWithoutAMultiplierOfOneAtAnyFrequency) {
+  for (const double noise : {0.0, 1e-15}) {
+    const auto held = with_idle_parts_held(beside_an_idle_pair(noise));
+    ASSERT_TRUE(held) << noise;
+    Eigen::MatrixXd flow = Eigen::MatrixXd::Zero(4, 4);
+    flow.topRightCorner(2, 2).setIdentity();
+    flow.bottomLeftCorner(2, 2) = -Eigen::MatrixXd(held->stiffness()).topLeftCorner(2, 2);
+    flow.bottomRightCorner(2, 2) = -Eigen::MatrixXd(held->damping()).topLeftCorner(2, 2);
+    for (const double frequency : {2.2, 1.1, 2.2 / 3.0, 1.7}) {
+      const Eigen::MatrixXd period = matrix_exponential(2.0 * std::numbers::pi / frequency * flow);
+      const Eigen::Vector4d as_one(1.0, 1.0, 0.0, 0.0);
+      EXPECT_LT((period * as_one).norm(), 0.9 * as_one.norm()) << frequency;
+    }
+  }
+}
+
+// Z_n u = f_n of the scene and of the held one, whose Z_n is another.
+TEST(IdleParts, MoveUnderTheirLoadAsIfNothingHeldThem) {
+  Problem problem = beside_an_idle_pair(0.0);
+  problem.force = {{.dof = 0, .harmonic = 1, .cos = 0.7, .sin = 0.2}, {.dof = 1, .harmonic = 3, .sin = -0.4}};
+  const auto held = with_idle_parts_held(problem);
+  ASSERT_TRUE(held);
+  for (const int harmonic : {1, 3}) {
+    const double w = harmonic * problem.frequency;
+    const auto response = [&](const Problem& scene) -> Eigen::VectorXcd {
+      const Eigen::MatrixXcd Z = Eigen::MatrixXd(scene.stiffness() - w * w * scene.mass()) +
+                                 std::complex<double>(0.0, w) * Eigen::MatrixXd(scene.damping());
+      return CompleteComplexLuFactors(Z).inverse() * load_harmonic(scene, harmonic);
+    };
+    EXPECT_LE((response(*held) - response(problem)).norm(), 1e-12 * response(problem).norm()) << harmonic;
+  }
+  problem.force.push_back({.dof = 0, .harmonic = 0, .cos = 1.0});  // it flies away
+  EXPECT_FALSE(with_idle_parts_held(problem));
 }
 
 }  // namespace

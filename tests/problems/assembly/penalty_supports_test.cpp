@@ -77,6 +77,34 @@ TEST(PenaltySupports, LinksBetweenCoordinatesAreNamedAndNotHeld) {
       << penalty_explanation(linked.stiffness());
 }
 
+/// A row whose first mass is held, with these tables of contacts.
+std::string held_row(const std::string& contacts) {
+  return "schema = 1\nname = \"row\"\n[system]\nkind = \"chain\"\nmasses = [1.0, 1.0, 1.0]\n"
+         "dampers = [0.1, 0.1, 0.1]\nsprings = [1e20, 1.0, 1.0]\n[forcing]\nfrequency = 0.9\n"
+         "term = [{ dof = 2, cos = 1.0 }]\n" +
+         contacts;
+}
+
+TEST(PenaltySupports, AreStopsForWhatMovesAlone) {
+  const Problem beside =
+      parse_scene(held_row("[[contact]]\nbetween = [2, 0]\ngap = 0.5\nrestitution = 0.8\n"
+                           "[[contact]]\nbetween = [0, 1]\ngap = 0.4\npenalty = 20.0\ndamper = 0.5\n"),
+                  "row.toml");
+  ASSERT_EQ(beside.contact_count(), 2);
+  EXPECT_EQ(beside.contacts[0].normal, (std::vector<std::pair<int, double>>{{2, 1.0}}));
+  EXPECT_EQ(Eigen::MatrixXd(beside.stiffness())(0, 3), 0.0) << "the face feels coordinate 1 alone";
+  EXPECT_EQ(Eigen::MatrixXd(beside.stiffness())(1, 3), 20.0);
+  try {
+    parse_scene(held_row("[[contact]]\ndof = 0\ngap = 0.5\nrestitution = 0.8\n"), "row.toml");
+    FAIL();
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "row.toml:11: contact[0] = on coordinate 0 (must act on coordinates that move: the stiffness of "
+        "this one is a support by penalty, which holds it at rest)");
+  }
+}
+
 TEST(PenaltySupports, AreNoneOfSpringsWithinTwelveOrders) {
   EXPECT_TRUE(penalty_springs(row("springs = [1e11, 1.0, 1.0]\n").stiffness()).empty());
   EXPECT_EQ(penalty_explanation(row("springs = [1e11, 1.0, 1.0]\n").stiffness()), "");

@@ -90,7 +90,8 @@ TEST(ReadMatrixFile, RefusesHarwellBoeingThatIsNotSound) {
 
 TEST(ReadMatrixFile, NumbersTheNodesOfAbaqus) {
   const std::string_view one_triangle =
-      "** stiffness\n20,1, 20,1, 1.0e-5\n3,1, 3,1, 2.0\n3,2, 3,1, -1.0e+00\n3,2, 3,2,  2.0\n20,1, 3,2, "
+      "** stiffness\n*MATRIX INPUT, NAME=K, TYPE=SYMMETRIC\n20,1, 20,1, 1.0e-5\n3,1, 3,1, 2.0\n3,2, 3,1, "
+      "-1.0e+00\n3,2, 3,2,  2.0\n20,1, 3,2, "
       "-5D-1\n";
   EXPECT_EQ(read(one_triangle), tridiagonal());
   EXPECT_EQ(read("1,1,1,1,2\n1,1,2,1,-1\n2,1,1,1,-2\n2,1,2,1,3\n"),
