@@ -22,7 +22,7 @@
 #include "methods/orbit/bifurcation_curves/bifurcation_curve.hpp"
 #include "methods/orbit/continuation/linear_mode_starts.hpp"
 #include "methods/orbit/exact_orbit.hpp"
-#include "methods/orbit/failed_attempts.hpp"
+#include "methods/orbit/reduced/failed_attempts.hpp"
 #include "methods/orbit/reduced/reduced_orbit.hpp"
 #include "methods/structure/bases/condensation.hpp"
 

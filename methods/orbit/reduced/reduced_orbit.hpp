@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "methods/orbit/failed_attempts.hpp"
 #include "methods/orbit/reduced/corrected_orbit.hpp"
+#include "methods/orbit/reduced/failed_attempts.hpp"
 #include "methods/reduction/contact_space.hpp"
 #include "methods/solution.hpp"
 
