@@ -114,5 +114,26 @@ TEST(ListedSequence, JoinsTheEventsOfOneInstant) {
   EXPECT_EQ(impact.closed, (std::vector<bool>{true, false}));
 }
 
+// From shortly behind the first event of an orbit that rests on its stop.
+TEST(SimulatedSequence, BeginsInTheMiddleOfTheLongestTimeBetweenTwoEvents) {
+  const Problem problem =
+      test::to_problem({.damping = 0.1, .frequency = 0.4, .gap = 0.0, .restitution = 0.0});
+  const auto found = test::cold_orbit(problem);
+  ASSERT_TRUE(found.orbit) << found.solution.message;
+  const auto& events = found.orbit->orbit().events;
+  ASSERT_GE(events.size(), 2U);
+  const double section = events[0].time + 0.05 * (events[1].time - events[0].time);
+  OrbitModel model(problem);
+  const auto guess = simulated_sequence(
+      model, {.time = section, .state = found.orbit->at(section), .closed = {false}}, [] { return false; });
+  ASSERT_TRUE(guess);
+  ASSERT_EQ(guess->events.size(), events.size());
+  const double before = guess->start.time + model.period - guess->events.back().time;
+  const double after = guess->events.front().time - guess->start.time;
+  EXPECT_NEAR(before, after, 1e-6 * model.period);
+  for (std::size_t i = 1; i < guess->events.size(); ++i)
+    EXPECT_LT(guess->events[i].time - guess->events[i - 1].time, before + after) << i;
+}
+
 }  // namespace
 }  // namespace signorini::listed_sequence_test

@@ -169,6 +169,9 @@ TEST(ContactSpace, MeasuresItsRounding) {
   EXPECT_TRUE(bar.whole().complete);
   const Eigen::MatrixXcd force = jumping_force(20, 1);
   EXPECT_EQ(bar.bound(1.2, force).norm(), 0.0);
+  const ContactSpace grown = bar.grown_for(1.2, {{.force = force, .tolerance = 1e-300}});
+  EXPECT_EQ(grown.whole().vectors(), bar.whole().vectors());
+  EXPECT_EQ(grown.bound(1.2, force).norm(), 0.0);
   EXPECT_LT(bar.rounding(), 1e-12);
   const ContactSpace beam(test::massless_beam({.alpha = 0.2, .beta = 0.005}, 1), {});
   EXPECT_GT(beam.rounding(), bar.rounding());

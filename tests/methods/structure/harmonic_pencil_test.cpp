@@ -135,6 +135,19 @@ TEST(PencilModes, HaveNoBoundWhereALoadIsNotANumber) {
   EXPECT_TRUE(std::isinf(modes.relative_error(*loaded).outside));
 }
 
+// kappa + mu theta of an eigenvalue is its last bit.
+TEST(PencilModes, HaveNoInverseWhereAnUndampedVectorResonatesToRounding) {
+  const Problem problem = test::damped_chain(30);
+  BlockLanczos space(problem.stiffness(), problem.mass(), pencil_loads(problem, 1, weights).columns);
+  const PencilModes modes(space, problem.contact_count());
+  const double lowest = modes.theta()[0], highest = modes.theta()[modes.theta().size() - 1];
+  const auto pencil = [](double kappa) { return HarmonicPencil{.kappa = kappa, .mu = -1.0, .load = {}}; };
+  const HarmonicPencil resonant = pencil(std::nextafter(lowest, 2.0 * lowest));
+  EXPECT_FALSE(modes.inverse_of(resonant));
+  EXPECT_TRUE(std::isinf(modes.relative_error(resonant).all));
+  EXPECT_TRUE(modes.inverse_of(pencil(2.0 * highest)));
+}
+
 TEST(StartColumns, AreTheContactsAndTheHarmonicsOwnLoad) {
   const Eigen::MatrixXd rows = Eigen::MatrixXd::Random(4, 5);
   HarmonicPencil pencil;

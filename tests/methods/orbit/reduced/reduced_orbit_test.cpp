@@ -105,5 +105,15 @@ TEST(ReducedOrbit, SaysWhatItDoesNotStandFor) {
   EXPECT_EQ(reduction_obstacle(other), "the damping is not proportional to mass and stiffness");
 }
 
+TEST(ReducedOrbit, IsPreferredOfLargeStructuresAndOfManySpringsWhereItStandsForThem) {
+  const ProportionalDamping damping{.beta = 0.01};
+  EXPECT_FALSE(prefers_reduction(test::massless_bar(damping, 10)));
+  EXPECT_TRUE(prefers_reduction(test::massless_bar(damping, kMostInDenseFlow + 1)));
+  EXPECT_FALSE(prefers_reduction(test::stopped_chain(kMostInDenseFlow + 1, 0.5, 1)));
+  Problem sprung = test::massless_beam(damping, 10);
+  sprung.set_law(Penalty{std::vector<double>(10, 1e3)});
+  EXPECT_EQ(prefers_reduction(sprung), reduction_obstacle(sprung).empty());
+}
+
 }  // namespace
 }  // namespace signorini::reduced_orbit_test
