@@ -96,6 +96,18 @@ TEST(PeriodicResponse, OfAFreeBodyHasTheMeanOfItsContacts) {
   }
 }
 
+TEST(HarmonicsOfForce, OfSeveralPeriodsOfTheLoadHoldThoseOfTheLoad) {
+  const Problem problem = test::to_problem(kStop);
+  const double period = 3.0 * problem.period();
+  const ForceSeries series = force_series(problem, Impacts(period, {{0, 0.25 * period, -2.0}}), 2);
+  EXPECT_EQ(series.order, 3);
+  ASSERT_EQ(series.lambda.rows(), 1 + 3) << "the load is harmonic 3 of three of its periods";
+  for (int n = 0; n <= 3; ++n) {
+    const std::complex<double> exact = -2.0 / period * std::polar(1.0, -0.5 * std::numbers::pi * n);
+    EXPECT_LT(std::abs(series.lambda(n, 0) - exact), 1e-14) << n;
+  }
+}
+
 TEST(PressureSamples, PutsAnImpulseOnTheNearestInstant) {
   // Late in the period the nearest of eight instants is the first of the next.
   const Impacts motion(

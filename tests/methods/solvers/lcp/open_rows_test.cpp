@@ -134,7 +134,11 @@ class BesideAllRows {
   std::vector<int> held;
 };
 
-TEST(OpenRows, MissNoRowThatClosesFirst) {
+class OpenRowsPerUnit : public testing::TestWithParam<double> {};
+
+// Whatever the unit of the path: rates so much larger, steps so much shorter.
+TEST_P(OpenRowsPerUnit, MissNoRowThatClosesFirst) {
+  const double unit = GetParam();
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
     BesideAllRows beside(seed);
     for (int step = 0; step < 60; ++step) {
@@ -151,17 +155,19 @@ TEST(OpenRows, MissNoRowThatClosesFirst) {
       }
       const Eigen::VectorXd weights = test::random_vector(3, beside.random);
       const Combination rate{{row, (row + 200) % kSize, (row + 400) % kSize},
-                             {weights[0], weights[1], weights[2]},
-                             step % 2 == 0 ? -0.2 : 0.1};
+                             {unit * weights[0], unit * weights[1], unit * weights[2]},
+                             unit * (step % 2 == 0 ? -0.2 : 0.1)};
       const int rising = step % 5 == 0 && !beside.held.empty() ? beside.held.back() : -1;
       if (step % 7 == 0) beside.correct(row);
       if (step % 20 == 19) beside.rows.forget_values();
-      beside.walk(rate, rising, 2.0);
+      beside.walk(rate, rising, 2.0 / unit);
     }
     // What the bounds are for: most rows are seldom asked.
     EXPECT_LE(beside.asked, beside.searches * kSize / 2);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Units, OpenRowsPerUnit, testing::Values(1.0, 1024.0));
 
 TEST(OpenRows, AskAllRowsOnceBeforeAnythingIsKnown) {
   BesideAllRows beside(5);
