@@ -51,9 +51,9 @@ struct HarmonicSetup {
   ProjectedLaw law;              ///< for H
   /// The scene, for a continuation in frequency; null where the receptance is not that of a scene.
   const Problem* problem = nullptr;
-  /// What contacts feel of the structure, to march to a start; empty where few unknowns make the solver's own
-  /// start cheap (not under several springs), a march does not represent the scene, or options leave no start
-  /// open.
+  /// What contacts feel of the structure, to march to a start; empty where few unknowns of fewer than four
+  /// contacts make the solver's own start cheap, a march does not represent the scene, or options leave no
+  /// start open.
   std::optional<ContactReduction> marched = {};
 
   /// The equations of all attempts; refers to this setup.
