@@ -94,16 +94,19 @@ std::string scene_text(const Problem& reduced, const std::string& name, const st
 std::shared_ptr<const StructureModes> counted_modes(const ReducibleScene& scene, const std::string& word) {
   if (std::ranges::adjacent_find(scene.ratios, std::not_equal_to{}) == scene.ratios.end()) return nullptr;
   if (scene.problem.size() > kMostModalCoordinates)
+    throw UsageError(fmt::format(
+        "scene = {} (must have one damping ratio for all modes: those of a list are counted of at "
+        "most {} coordinates)",
+        word, kMostModalCoordinates));
+  auto modes = uncoupled_modes(scene.problem);
+  if (!modes)
     throw UsageError(
-        fmt::format("scene = {} (must have one damping ratio for all modes: the modes of a list are counted "
-                    "among at most {} "
-                    "coordinates)",
-                    word, kMostModalCoordinates));
-  return uncoupled_modes(scene.problem);
+        fmt::format("scene = {} (must have one damping ratio for all modes: they are not found)", word));
+  return modes;
 }
 
-/// Every vector has the damping ratio of the mode whose frequency is nearest. \param modes  null: the first
-/// one
+/// Every vector has the damping ratio of the mode whose frequency is nearest.
+/// \param modes  null: all have the first ratio
 void damp(const std::vector<double>& ratios, const StructureModes* modes, ContactReduction& reduction) {
   reduction.damping.resize(reduction.vectors());
   for (Eigen::Index k = 0; k < reduction.vectors(); ++k) {

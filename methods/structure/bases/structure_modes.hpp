@@ -25,7 +25,8 @@ struct StructureModes {
 /// The modes of a structure of any size, by one dense eigenvalue problem, O(Nd^3): 1,000 coordinates take a
 /// second or two. The last ones made are kept for as long as their structure lives; threads may call it.
 /// \return null where the matrices are not symmetric, K + s M is not definite, or the damping couples modes,
-/// a term d_jk above 1e-9 sqrt(d_jj d_kk) and rounding [caughey1965]
+/// a term d_jk above 1e-9 sqrt(d_jj d_kk) and rounding [caughey1965]; in bending of slender beams, 250
+/// elements and more, rounding itself couples them
 std::shared_ptr<const StructureModes> uncoupled_modes(const Problem& problem);
 
 /// Whether damping is so full a matrix, as that of damping ratios is, that no factor of Z_n is sparse.
