@@ -110,12 +110,12 @@ TEST(PenaltySupports, AreRefusedOnABaseThatPullsThroughTheMassMatrix) {
   const auto on_a_base = [](const char* stiffness) {
     return parse_scene(
         std::string(
-            "schema = 1\nname = \"shaft\"\n[system]\nkind = \"shaft\"\nelements = 4\nlength = 1.0\n"
+            "schema = 1\nname = \"shaft\"\n[system]\nkind = \"shaft\"\nelements = 2\nlength = 1.0\n"
             "area = 1e-3\ninertia = 1e-7\nyoung = 2e11\ndensity = 7800.0\ndisc_mass = 5.0\ndisc_node = "
             "1\nbearing_damping = 10.0\ndamping = { modal = 0.02 }\nbearing_stiffness = ") +
             stiffness +
             "\n[forcing]\nfrequency = 100.0\n[base]\nacceleration = [{ cos = 1.0 }]\n"
-            "direction = [[0, 1.0], [4, 1.0], [8, 1.0], [12, 1.0], [16, 1.0]]\n",
+            "direction = [[0, 1.0], [4, 1.0], [8, 1.0]]\n",
         "shaft.toml");
   };
   EXPECT_NO_THROW(on_a_base("1e7"));
