@@ -139,9 +139,10 @@ ShownModes modes_of(const Problem& problem) {
     const Eigen::Index column = massive ? i : count - 1 - i;
     const double value = found.values(column);
     if (!massive && value <= kRounding * largest) continue;
-    const double square = massive ? std::max(0.0, value) : 1.0 / value;
+    const bool rigid = massive && value <= kRounding * largest;
+    const double square = rigid ? 0.0 : massive ? value : 1.0 / value;
     add_mode(problem, std::sqrt(square), found.vectors.col(column) * (massive ? 1.0 : std::sqrt(square)),
-             massive && square <= kRounding * largest, modes);
+             rigid, modes);
   }
   return modes;
 }

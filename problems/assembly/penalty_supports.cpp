@@ -10,7 +10,7 @@ namespace signorini {
 namespace {
 
 constexpr double kPenaltyRatio = 1e12;  // of the usual diagonal
-constexpr double kTied = 1.0 - 1e-6;    // of the diagonal: a link carries all of it
+constexpr double kTied = 1.0 - 1e-6;    // of the root of both diagonals: a link carries all of them
 
 struct StrongestCoupling {
   int other = -1;
@@ -33,7 +33,9 @@ double usual_stiffness(const SparseMatrix& K, const Eigen::VectorXd& diagonal) {
   for (int i = 0; i < diagonal.size(); ++i) {
     if (!(diagonal(i) > 0.0)) continue;
     least = least > 0.0 ? std::min(least, diagonal(i)) : diagonal(i);
-    if (strongest_coupling(K, i).value < kTied * diagonal(i)) apart.push_back(diagonal(i));
+    const auto [other, value] = strongest_coupling(K, i);
+    const bool tied = other >= 0 && value >= kTied * std::sqrt(diagonal(i) * diagonal(other));
+    if (!tied) apart.push_back(diagonal(i));
   }
   if (apart.empty()) return least;
   const auto middle = apart.begin() + (std::ssize(apart) - 1) / 2;

@@ -112,6 +112,19 @@ Eigen::VectorXd read_base_direction(const SceneField& direction, const SystemDes
   return d;
 }
 
+// What a support that is held pulls along through M went with it: the base's acceleration would act without.
+void require_inertia(const SceneField& base, const SystemDescription& system, const SparseMatrix& mass) {
+  bool couples = false;
+  for_each_entry(
+      mass, [&](int row, int column, double value) { couples = couples || (row != column && value != 0.0); });
+  if (couples && !system.held.empty())
+    base.refuse(
+        "a motion",
+        fmt::format("must be left out where the mass matrix is not diagonal beside a support by penalty: "
+                    "leave coordinate {} out, or support it less stiffly",
+                    system.held.front()));
+}
+
 }  // namespace
 
 std::vector<StopTerm> read_stop_motion(const SceneField& contacts, const FromTables<Contact>& made) {
@@ -141,6 +154,7 @@ void read_base(const SceneField& base, const SystemDescription& system, Problem&
           {.harmonic = term.harmonic, .cos = term.cos, .sin = term.sin, .acceleration = acceleration});
   }
   require_few(base, terms.size(), system.size);
+  require_inertia(base, system, problem.mass());
   move_base(problem, read_base_direction(base["direction"], system), terms);
 }
 

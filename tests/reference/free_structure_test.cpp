@@ -234,7 +234,7 @@ TEST(FreeStructure, HasNoPeriodicMotionWhereTheMeanLoadPullsItAway) {
     const Problem problem = to_problem({.masses = 3, .spread = 0.3, .mean = mean, .damping = 0.3});
     const Solution solution = solve<EventDriven>(problem, {.flow = Integrator::modal, .max_iterations = 50});
     EXPECT_EQ(solution.verdict, Verdict::not_converged) << solution.message;
-    EXPECT_EQ(solution.work.iterations, 0) << "known before a period is marched";
+    EXPECT_FALSE(solution.work.iterations) << "known before a period is marched";
     EXPECT_NE(solution.message.find("no periodic motion"), std::string::npos) << solution.message;
   }
 }

@@ -63,6 +63,20 @@ TEST(CommandShow, HasTheLowestModesOfLargeStructures) {
   EXPECT_NE(text.find("omega 6.28319 rad/s (1 Hz)"), std::string::npos) << text;
 }
 
+// Nothing holds the chain: the square of its first frequency is rounding of the others'.
+TEST(CommandShow, TellsTheFrequencyOfARigidMotionAsZero) {
+  const test::TemporaryFolder folder;
+  const std::string file =
+      folder
+          .write("free.toml",
+                 "schema = 1\nname = \"free\"\n[system]\nkind = \"chain\"\nmasses = [2.1, 0.7, 0.9, 1.1]\n"
+                 "dampers = [0.0, 0.0, 0.0, 0.0]\nsprings = [0.0, 1.7e4, 2.3e4, 0.9e4]\n[forcing]\n"
+                 "frequency = 1.0\n")
+          .string();
+  const std::string text = run("show " + file).out;
+  EXPECT_NE(text.find("\neigenfrequencies  0, "), std::string::npos) << text;
+}
+
 TEST(CommandShow, FitsEightyColumnsAndLeavesFurtherContactsOut) {
   for (const char* name : {"rotor-48-facets", "bar200-massless", "beam-pair", "hat-lcp", "aft-hbm"}) {
     const std::string text = run(std::string("show ") + name).out;

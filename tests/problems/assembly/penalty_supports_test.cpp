@@ -105,6 +105,24 @@ TEST(PenaltySupports, AreStopsForWhatMovesAlone) {
   }
 }
 
+// A consistent mass matrix: the ends that are held would pull their neighbours along with the base.
+TEST(PenaltySupports, AreRefusedOnABaseThatPullsThroughTheMassMatrix) {
+  const auto on_a_base = [](const char* stiffness) {
+    return parse_scene(
+        std::string(
+            "schema = 1\nname = \"shaft\"\n[system]\nkind = \"shaft\"\nelements = 2\nlength = 1.0\n"
+            "area = 1e-3\ninertia = 1e-7\nyoung = 2e11\ndensity = 7800.0\ndisc_mass = 5.0\ndisc_node = "
+            "1\nbearing_damping = 10.0\ndamping = { modal = 0.02 }\nbearing_stiffness = ") +
+            stiffness +
+            "\n[forcing]\nfrequency = 100.0\n[base]\nacceleration = [{ cos = 1.0 }]\n"
+            "direction = [[0, 1.0], [4, 1.0], [8, 1.0]]\n",
+        "shaft.toml");
+  };
+  EXPECT_NO_THROW(on_a_base("1e7"));
+  EXPECT_THROW(on_a_base("1e30"), SceneError);
+  EXPECT_NO_THROW(parse_scene(held_row("[base]\nacceleration = [{ cos = 1.0 }]\n"), "row.toml"));
+}
+
 TEST(PenaltySupports, AreNoneOfSpringsWithinTwelveOrders) {
   EXPECT_TRUE(penalty_springs(row("springs = [1e11, 1.0, 1.0]\n").stiffness()).empty());
   EXPECT_EQ(penalty_explanation(row("springs = [1e11, 1.0, 1.0]\n").stiffness()), "");
