@@ -308,7 +308,7 @@ void add_motion_command(const Command& program) {
                  "forcing periods over which a motion that does not settle is measured, at most",
                  {.range = {1, kMostPeriods}});
   command.option("--max-order", arguments->options.max_order,
-                 "forcing periods after which a periodic motion repeats, at most; four times that where it "
+                 "forcing periods after which a periodic motion repeats, at most; twice that where it "
                  "settles late",
                  {.range = {1, 64}});
   command.option("--exponents", arguments->options.exponents, "Lyapunov exponents, the largest ones, at most",

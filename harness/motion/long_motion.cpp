@@ -27,7 +27,7 @@ namespace {
 constexpr double kTolerance = 1e-10;      // of the flow's events [-]
 constexpr double kStill = 1e-9;           // of the scales: no motion [-]
 constexpr std::size_t kLeastSteps = 100;  // of exponents that decide [-]
-constexpr int kHigher = 4;       // times the orders told at first: of a motion whose deviations fade [-]
+constexpr int kHigher = 2;                // times the orders told at first: of a motion that settles late [-]
 constexpr double kLarge = 10.0;  // of the scale of the motion: what grows beyond it may be unbounded [-]
 
 /// Whether sizes at the ends of parts, each twice as long as the one before, have grown to the last, which is

@@ -63,7 +63,7 @@ struct LongMotion {
 /// Follows the flow of a scene in closed form from `start` until it settles (`march`), or over
 /// `options.transient` periods and then `options.periods` more, in which small deviations and the stops are
 /// measured. What settles then, as after a chaotic transient, is looked for again where small deviations
-/// fade or the last periods nearly repeat, up to four times `options.max_order`. Of a motion that does not
+/// fade or the last periods nearly repeat, up to twice `options.max_order`. Of a motion that does not
 /// settle the largest Lyapunov exponent decides: irregular where it is above 0 by more than its error and a
 /// deviation grows by e^20, quasi-periodic where it is not below 0 by more than its error of at most 0.005
 /// per period, no deviation grows by more than e^6 and the slowest mode has faded to e^-3, else undecided.

@@ -142,7 +142,7 @@ TEST(LongMotion, IsNoTorusWhereDeviationsFadeSlowly) {
   const Followed found = follow(problem, {}, beside_the_stop());
   EXPECT_EQ(found.motion.verdict, LongRun::periodic) << found.motion.reason;
   EXPECT_EQ(found.motion.order, 8);
-  const Followed later = follow(problem, {.periods = 600, .max_order = 2}, beside_the_stop());
+  const Followed later = follow(problem, {.periods = 600, .max_order = 4}, beside_the_stop());
   EXPECT_EQ(later.motion.verdict, LongRun::periodic) << later.motion.reason;
   EXPECT_EQ(later.motion.order, 8);
   const Followed never = follow(problem, {.max_order = 1}, beside_the_stop());
