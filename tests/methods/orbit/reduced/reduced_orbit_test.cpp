@@ -6,57 +6,13 @@
 #include <string>
 
 #include "methods/discretisation/trajectories.hpp"
-#include "methods/penalty_hbm/penalty_hbm.hpp"
 #include "problems/linear_algebra/general_eigen.hpp"
-#include "problems/scene/scene_file.hpp"
 #include "tests/methods/orbit/cold_orbit.hpp"
-#include "tests/support/accuracy.hpp"
 #include "tests/support/exact_scenes.hpp"
 #include "tests/support/structure_scenes.hpp"
 
 namespace signorini::reduced_orbit_test {
 namespace {
-
-// The tube of code_aster V5.02.301 with nine spans, 18 springs of other clearances and 85 % of the load.
-Problem tube_of_nine_spans() {
-  Problem tube = parse_scene(R"(
-schema = 1
-name = "tube"
-forcing = { frequency = 251.2, term = [{ dof = 0, sin = 5.3 }] }
-[system]
-kind = "beam"
-elements = 72
-length = 5.481
-area = 5.32892653865e-05
-inertia = 1.45802760677e-09
-young = 2.07e11
-density = 7870.0
-damping = { alpha = 0.1526, beta = 1.79e-5 }
-)",
-                             "tube");
-  tube.force.clear();
-  int first = 0;  // coordinate of a span
-  for (const double clearance : {0.3, 0.5, 0.7, 0.9, 0.4, 0.6, 0.8, 1.0, 0.5}) {
-    for (int node = 0; node < 7; ++node)
-      tube.force.push_back({.dof = first + 2 * node, .sin = first % 32 == 0 ? 5.3 : -5.3});
-    for (const double side : {1.0, -1.0})
-      tube.contacts.push_back(
-          {.normal = {{first + 14, side}}, .gap = clearance * 0.406e-3, .law = Spring{1e5}});
-    first += 16;
-  }
-  return tube;
-}
-
-// From the march such tubes took half a minute and more. The series is another discretisation of the motion.
-TEST(ReducedOrbit, OfATubeOfNineSpansIsFoundByHarmonicBalance) {
-  const Problem tube = tube_of_nine_spans();
-  const Solution solution = test::solve<ExactOrbitMethod>(tube, {});
-  ASSERT_EQ(solution.verdict, Verdict::converged) << solution.message;
-  EXPECT_NE(solution.message.find("by harmonic balance"), std::string::npos) << solution.message;
-  const Solution series = test::solve<PenaltyHbm>(tube, {{.harmonics = 64}});
-  ASSERT_EQ(series.verdict, Verdict::converged) << series.message;
-  EXPECT_LT(test::relative_distance(*series.trajectory, *solution.trajectory), 0.02);
-}
 
 TEST(ReducedOrbit, IsWhatTheMethodAnswersWhereAClosedFormOfAllCoordinatesIsTooLarge) {
   const Problem bar = test::massless_bar({.alpha = 0.2, .beta = 0.005}, kMostInDenseFlow + 1);
