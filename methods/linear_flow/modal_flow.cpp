@@ -17,10 +17,11 @@ ModalFlow::ModalFlow(ModeEquations equations, std::shared_ptr<const ModalBasis> 
   // P_h = Q (of the modes' response), plus the offset of held contacts, which is constant.
   for (Eigen::Index h = 0; h < harmonics; ++h) {
     const Eigen::VectorXcd load = equations_.reduced_load(h);
-    if (!load.isZero(0.0))
-      forced_.col(h).head(size()) =
-          image_of_complex(equations_.form.basis,
-                           basis_->reduced.forced(load, equations_.rates()[static_cast<std::size_t>(h)]));
+    if (load.isZero(0.0)) continue;
+    const Eigen::VectorXcd response =
+        basis_->reduced.forced(load, equations_.rates()[static_cast<std::size_t>(h)]);
+    forced_.col(h).head(size()) =
+        equations_.free() == size() ? response : image_of_complex(equations_.form.basis, response);
   }
   forced_.col(0).head(size()) += equations_.form.offset.cast<Complex>();
   if (positions() > size()) force_relaxing();

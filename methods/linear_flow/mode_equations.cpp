@@ -38,7 +38,7 @@ ModeEquations::ModeEquations(const ContactDynamics& of, ContactMode contacts)
 Eigen::VectorXcd ModeEquations::reduced_load(Eigen::Index h) const {
   Eigen::VectorXcd load = form.load.col(h);
   if (h == 0) load -= sparse_image(structure().stiffness, form.offset).cast<std::complex<double>>();
-  return image_of_complex_by_transposed(form.basis, load);
+  return free() == size() ? load : image_of_complex_by_transposed(form.basis, load);
 }
 
 MassForm ModeEquations::mass_form() const {

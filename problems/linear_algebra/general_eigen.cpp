@@ -26,20 +26,16 @@ GeneralEigen general_pairs(const Eigen::MatrixXd& A, bool with_vectors) {
   return found;
 }
 
-// Orthonormal columns Q of the Krylov space of P from its images of columns that know nothing of it.
-Eigen::MatrixXd krylov_basis(const Eigen::MatrixXd& P, Eigen::Index starts, Eigen::Index columns) {
+// Orthonormal columns Q, and A Q.
+struct Images {
+  Eigen::MatrixXd Q, of_Q;
+};
+
+// Appends what the columns of V add to the first `count` of Q, orthonormal, as far as there is room.
+void append_new(const Eigen::MatrixXd& V, Eigen::MatrixXd& Q, Eigen::Index& count) {
   constexpr double kNothingNew = 1e-13;  // of a column
-  std::mt19937 random(1);
-  Eigen::MatrixXd Q(P.rows(), std::min(columns, P.rows()));
-  Eigen::Index count = 0;
-  for (Eigen::Index from = -starts; from < count && count < Q.cols(); ++from) {
-    Eigen::VectorXd next(P.rows());
-    if (from < 0) {
-      for (double& entry : next) entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
-      next = image(P, next);  // what fades is no part of it
-    } else {
-      next = image(P, Q.col(from));
-    }
+  for (Eigen::Index c = 0; c < V.cols() && count < Q.cols(); ++c) {
+    Eigen::VectorXd next = V.col(c);
     const double size = next.norm();
     for (int twice = 0; twice < 2; ++twice) {
       const Eigen::VectorXd known = image_by_transposed(Q.leftCols(count), next);
@@ -48,7 +44,41 @@ Eigen::MatrixXd krylov_basis(const Eigen::MatrixXd& P, Eigen::Index starts, Eige
     const double added = next.norm();
     if (added > kNothingNew * size) Q.col(count++) = next / added;
   }
-  return Q.leftCols(count);
+}
+
+// Columns in which the largest eigenvalues have most: images under a power of A of some that know nothing.
+Eigen::MatrixXd filtered_block(const Eigen::MatrixXd& A) {
+  constexpr Eigen::Index kStarts = 4;
+  constexpr int kPower = 24, kTogether = 4;  // images of one column are soon those of all
+  std::mt19937 random(1);
+  Eigen::MatrixXd block(A.rows(), std::min(kStarts, A.rows()));
+  for (double& entry : block.reshaped()) entry = static_cast<double>(random()) / 4294967296.0 - 0.5;
+  for (int k = 1; k <= kPower; ++k) {
+    block = product(A, block);
+    const double size = block.size() == 0 ? 0.0 : block.cwiseAbs().maxCoeff();
+    if (size > 0.0) block /= size;
+    if (k % kTogether != 0) continue;
+    Eigen::MatrixXd Q(block.rows(), block.cols());
+    Eigen::Index count = 0;
+    append_new(block, Q, count);
+    block = Q.leftCols(count);
+  }
+  return block;
+}
+
+// The Krylov space of A from a block, of so many columns at most.
+Images krylov_space(const Eigen::MatrixXd& A, const Eigen::MatrixXd& block, Eigen::Index columns) {
+  Images space{.Q = Eigen::MatrixXd(A.rows(), std::min(columns, A.rows())), .of_Q = {}};
+  space.of_Q.resize(space.Q.rows(), space.Q.cols());
+  Eigen::Index count = 0, before = 0;
+  append_new(block, space.Q, count);
+  while (count > before) {
+    const Eigen::MatrixXd images = product(A, space.Q.middleCols(before, count - before));
+    space.of_Q.middleCols(before, images.cols()) = images;
+    before = count;
+    append_new(images, space.Q, count);
+  }
+  return {.Q = space.Q.leftCols(count), .of_Q = space.of_Q.leftCols(count)};
 }
 
 // Those of Q^T A Q, falling in magnitude, and |A x - mu x| of each.
@@ -56,9 +86,8 @@ struct RitzPairs {
   Eigen::VectorXcd values;
   Eigen::VectorXd residuals;
 };
-RitzPairs ritz_pairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
-  const Eigen::MatrixXd image_of_Q = product(A, Q);
-  const GeneralEigen small = general_pairs(product_of_transposed(Q, image_of_Q), true);
+RitzPairs ritz_pairs(const Images& space) {
+  const GeneralEigen small = general_pairs(product_of_transposed(space.Q, space.of_Q), true);
   if (!small.converged) return {};
   std::vector<Eigen::Index> order(static_cast<std::size_t>(small.values.size()));
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
@@ -66,8 +95,8 @@ RitzPairs ritz_pairs(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
     const double first = std::abs(small.values[a]), second = std::abs(small.values[b]);
     return first > second || (first == second && a < b);
   });
-  const Eigen::MatrixXcd images = product_of_complex(image_of_Q, small.vectors);
-  const Eigen::MatrixXcd vectors = product_of_complex(Q, small.vectors);
+  const Eigen::MatrixXcd images = product_of_complex(space.of_Q, small.vectors);
+  const Eigen::MatrixXcd vectors = product_of_complex(space.Q, small.vectors);
   RitzPairs pairs{.values = Eigen::VectorXcd(small.values.size()),
                   .residuals = Eigen::VectorXd(small.values.size())};
   for (Eigen::Index k = 0; k < pairs.values.size(); ++k) {
@@ -89,20 +118,19 @@ Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
 }
 
 Eigen::VectorXcd leading_eigenvalues(const Eigen::MatrixXd& A, double tolerance) {
-  constexpr int kSquared = 3;
-  constexpr Eigen::Index kStarts = 4, kColumns = 40;
+  constexpr Eigen::Index kColumns = 32, kMore = 56, kFew = 4;
   if (A.rows() == 0 || !A.allFinite()) return {};
-  Eigen::MatrixXd power = A;
-  for (int k = 0; k < kSquared; ++k) {
-    const double size = power.cwiseAbs().maxCoeff();  // whose eighth power may overflow
-    if (size > 0.0) power /= size;
-    power = product(power, power);
-  }
-  const RitzPairs pairs = ritz_pairs(A, krylov_basis(power, kStarts, kColumns));
+  const Eigen::MatrixXd block = filtered_block(A);
+  RitzPairs pairs;
   Eigen::Index known = 0;
-  while (known < pairs.values.size() &&
-         pairs.residuals[known] <= tolerance * std::max(1.0, std::abs(pairs.values[0])))
-    ++known;
+  for (const Eigen::Index columns : {kColumns, kMore}) {
+    pairs = ritz_pairs(krylov_space(A, block, columns));
+    known = 0;
+    while (known < pairs.values.size() &&
+           pairs.residuals[known] <= tolerance * std::max(1.0, std::abs(pairs.values[0])))
+      ++known;
+    if (known >= std::min(kFew, A.rows())) break;
+  }
   // Residuals of a pair may differ in their last digit.
   if (known > 0 && known < pairs.values.size() && pairs.values[known] == std::conj(pairs.values[known - 1]) &&
       pairs.values[known].imag() != 0.0)

@@ -19,8 +19,9 @@ GeneralEigen general_eigen(const Eigen::MatrixXd& A);
 Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A);
 /// Those of largest magnitude, falling, of a conjugate pair both: up to the first whose residual |A x - mu
 /// x|, |x| = 1, is more than tolerance max(1, |mu|_max); none where an entry is not finite. On the Krylov
-/// space of A^8 from four columns, 40 in all: where magnitudes fall slowly few are known, and of a
-/// multiplicity beyond four not all. Source: [golub2013], ch. 10.5.
+/// space of A from four columns of A^24, 32 in all, 56 where fewer than four would be known: where magnitudes
+/// fall slowly few are known, and of a multiplicity beyond four not all. Some 1e2 products of A with a
+/// vector. Source: [golub2013], ch. 10.5.
 Eigen::VectorXcd leading_eigenvalues(const Eigen::MatrixXd& A, double tolerance);
 /// The largest magnitude of eigenvalues, 0 where there are none: the spectral radius; of Floquet multipliers
 /// what small disturbances grow by in a period.
