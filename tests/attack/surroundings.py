@@ -132,6 +132,8 @@ def is_possible(name, program):
         return False
     if name in ("a clock that jumps", "no /proc") and program.slower != 1.0:  # the sanitizers want to be loaded first, and read it
         return False
+    if name.startswith("/tmp") and pathlib.Path(program.path).is_relative_to("/tmp"):  # it would be hidden
+        return False
     return "unshare" not in SURROUNDINGS[name][0] or may(["unshare", "--mount", "true"])
 
 

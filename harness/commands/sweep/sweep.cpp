@@ -193,10 +193,8 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
   }
 }
 
-// Branches of several methods, by arc length where a method has a curve of its own. \param all  whether each
-// has one
-std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments, const Scene& scene,
-                                                const ParametrisedScene& varied, bool& all) {
+// The methods that are asked for. \throws UsageError where one cannot follow its curve here
+std::vector<MethodChoice> chosen_methods(const SweepArguments& arguments, const ParametrisedScene& varied) {
   std::vector<MethodChoice> methods;
   for (const std::string& name : split(arguments.methods, ':'))
     methods.push_back({&find_method(name), parse_settings(arguments.settings)});
@@ -204,6 +202,14 @@ std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments,
     if (!arguments.natural && (arguments.parameter != kFrequency || has_curve(method)))
       require_curve(varied, method);
   }
+  return methods;
+}
+
+// Branches of several methods, by arc length where a method has a curve of its own. \param all  whether each
+// has one
+std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments, const Scene& scene,
+                                                const ParametrisedScene& varied, bool& all) {
+  const std::vector<MethodChoice> methods = chosen_methods(arguments, varied);
   Sweep sweep{arguments, scene, folder_of(arguments, question_of(arguments, scene)),
               ResponseStream(arguments.format, {.method = {},
                                                 .order = scene.problem.subharmonic,
@@ -313,6 +319,7 @@ int sweep_attractors(const SweepArguments& arguments) {
                                  scene.problem.name, obstacle));
   const ParametrisedScene varied = parametrised(arguments, scene);
   const std::vector<double> values = attractor_values(arguments);
+  if (!arguments.methods.empty()) chosen_methods(arguments, varied);  // refused before starts are followed
   watch_interrupts();
   std::vector<AttractorsAt> found = followed_starts(arguments, scene, varied, values);
   AttractorBranches branches;
