@@ -167,9 +167,8 @@ TEST(OneImpactOrbits, LeadToNonsmoothModes) {
 }
 
 // One bounce per period of a ball on a table, A = 0.05 m: with s = pi (1 - e) / (1 + e) its phase is asin of
-// s g / (A w^2), so that it is born at A w^2 = s g and doubles where (A w^2)^2 = g^2 (s^2 + (2 (1 + e^2) / (1
-// + e)^2)^2)
-//.
+// s g / (A w^2). It is born at A w^2 = s g, and doubles where
+// (A w^2)^2 = g^2 (s^2 + (2 (1 + e^2) / (1 + e)^2)^2).
 TEST(OneImpactOrbits, OfABallAreBornAndDoubleWhereTheClosedFormSays) {
   constexpr double kGravity = 9.81, kAmplitude = 0.05, e = 0.8;
   const double s = std::numbers::pi * (1.0 - e) / (1.0 + e);
