@@ -50,7 +50,7 @@ struct RelaxingForm {
 /// lambda_A = force_of_state (u, xi, v) + Re sum_h force_of_load_h e^{i r_h t}; empty where no contact is
 /// closed.
 struct FreeForm {
-  Eigen::MatrixXd basis;                ///< Q, Nd x Nr, orthonormal
+  Eigen::MatrixXd basis;                ///< Q, Nd x Nr, orthonormal; 1 where nothing is held
   Eigen::VectorXd offset;               ///< u_g, Nd [m]
   Eigen::MatrixXd stiffness;            ///< K and the springs of closed stops, Nd x Nd [N/m]
   Eigen::MatrixXd damping;              ///< D and their dashpots, Nd x Nd [N s/m]

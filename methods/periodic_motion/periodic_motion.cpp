@@ -70,10 +70,7 @@ Solution find_periodic_motion(const Problem& problem, const ContactDynamics& dyn
   const bool pushed =
       std::ranges::any_of(problem.force, [](const ForceTerm& term) { return term.harmonic == 0; });
   if (pushed) solution.message = unbalanced_mean_load(problem);
-  if (!solution.message.empty()) {
-    solution.verdict = Verdict::not_converged;
-    return solution;
-  }
+  if (!solution.message.empty()) return solution;
   std::optional<EventFlow> flow;
   std::optional<PeriodMap> map;
   try {

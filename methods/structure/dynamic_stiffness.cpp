@@ -7,7 +7,6 @@
 #include "methods/solvers/dense_products.hpp"
 #include "methods/structure/bases/modal_reduction.hpp"
 #include "methods/structure/bases/structure_modes.hpp"
-#include "problems/assembly/damping.hpp"
 #include "problems/linear_algebra/complex_lu.hpp"
 #include "problems/matrix_properties.hpp"
 #include "problems/skew_parts.hpp"
@@ -24,9 +23,7 @@ bool holds(const SparseMatrix& K) {
 /// All modes, null where a factorisation per harmonic costs less: with a full damping matrix one of these
 /// costs as much as a few harmonics.
 std::shared_ptr<const StructureModes> modes_in_place_of_factors(const Problem& problem) {
-  if (problem.size() <= kMostModal || problem.size() > kMostModalCoordinates || !has_full_damping(problem))
-    return nullptr;
-  return uncoupled_modes(problem);
+  return has_shared_modes(problem) ? uncoupled_modes(problem) : nullptr;
 }
 
 }  // namespace

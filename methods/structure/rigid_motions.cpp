@@ -239,6 +239,14 @@ std::optional<Problem> with_idle_parts_held(const Problem& problem) {
   return held;
 }
 
+FeltMotions felt_first(const Problem& problem, const Eigen::MatrixXd& motions) {
+  constexpr double kUnfelt = 1e-10;  // of the largest entries of W and R, whose products may cancel
+  const SparseMatrix directions = contact_directions(problem);
+  const double largest = largest_entry(directions) * motions.cwiseAbs().maxCoeff();
+  const SingularValues felt = singular_vectors(directions.transpose() * motions);
+  return {.motions = motions * felt.V, .felt = (felt.values.array() > kUnfelt * largest).count()};
+}
+
 std::string unbalanced_mean_load(const Problem& problem) {
   const Eigen::MatrixXd motions = rigid_motions(problem);
   if (motions.cols() == 0) return {};
@@ -278,7 +286,6 @@ Eigen::MatrixXd HeldStructure::solve(const Eigen::MatrixXd& load) const {
 
 void fill_static_receptance(const Problem& problem, const Eigen::MatrixXd& motions,
                             ContactReceptance& result) {
-  constexpr double kUnfelt = 1e-10;  // of the largest entries of W and R, whose products may cancel
   const Eigen::MatrixXd directions(contact_directions(problem));
   const Eigen::VectorXd load = load_coefficient(problem, 0).real();
   const HeldStructure held(problem, motions, problem.base_frequency());
@@ -286,17 +293,12 @@ void fill_static_receptance(const Problem& problem, const Eigen::MatrixXd& motio
   result.free_response.row(0) =
       (directions.transpose() * held.solve(load)).transpose().cast<std::complex<double>>();
 
-  // Motions along which contacts are felt, and others: the right singular vectors of E.
-  const SingularValues felt = singular_vectors(directions.transpose() * motions);
-  const Eigen::Index all = motions.cols();
-  const double largest = directions.cwiseAbs().maxCoeff() * motions.cwiseAbs().maxCoeff();
-  const Eigen::Index count = (felt.values.array() > kUnfelt * largest).count();
-  const Eigen::MatrixXd turned = motions * felt.V;
+  const auto [turned, count] = felt_first(problem, motions);
   const Eigen::VectorXd moving = turned.transpose() * load;
   const double scale = (turned.cwiseAbs().transpose() * load.cwiseAbs()).maxCoeff();
-  const Eigen::VectorXd unfelt = moving.tail(all - count);
+  const Eigen::VectorXd unfelt = moving.tail(moving.size() - count);
   if (unfelt.size() > 0 && unfelt.lpNorm<Eigen::Infinity>() > kBalanced * scale)
-    throw unbalanced(problem, turned.rightCols(all - count), unfelt);
+    throw unbalanced(problem, turned.rightCols(unfelt.size()), unfelt);
   if (count == 0) return;
   result.rigid = directions.transpose() * turned.leftCols(count);
   result.rigid_load = moving.head(count);

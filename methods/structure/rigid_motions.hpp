@@ -38,6 +38,15 @@ std::vector<Eigen::Index> supports(Eigen::MatrixXd R);
 /// flies away.
 std::optional<Problem> with_idle_parts_held(const Problem& problem);
 
+/// Rigid motions in an order that contacts tell.
+struct FeltMotions {
+  Eigen::MatrixXd motions;  ///< R V, V the right singular vectors of W^T R
+  Eigen::Index felt = 0;    ///< how many of them, the first ones, move a contact
+};
+
+/// \param motions  R, m >= 1
+FeltMotions felt_first(const Problem& problem, const Eigen::MatrixXd& motions);
+
 /// Why no motion has the load's period, as NoPeriodicMotion says it; empty where the mean load is balanced or
 /// springs hold the structure.
 std::string unbalanced_mean_load(const Problem& problem);

@@ -114,10 +114,11 @@ Eigen::VectorXd read_base_direction(const SceneField& direction, const SystemDes
 
 // What a support that is held pulls along through M went with it: the base's acceleration would act without.
 void require_inertia(const SceneField& base, const SystemDescription& system, const SparseMatrix& mass) {
+  if (system.held.empty()) return;
   bool couples = false;
   for_each_entry(
       mass, [&](int row, int column, double value) { couples = couples || (row != column && value != 0.0); });
-  if (couples && !system.held.empty())
+  if (couples)
     base.refuse(
         "a motion",
         fmt::format("must be left out where the mass matrix is not diagonal beside a support by penalty: "

@@ -207,9 +207,9 @@ std::vector<MethodChoice> chosen_methods(const SweepArguments& arguments, const 
 
 // Branches of several methods, by arc length where a method has a curve of its own. \param all  whether each
 // has one
-std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments, const Scene& scene,
+std::vector<MethodResponse> branches_of_methods(const std::vector<MethodChoice>& methods,
+                                                const SweepArguments& arguments, const Scene& scene,
                                                 const ParametrisedScene& varied, bool& all) {
-  const std::vector<MethodChoice> methods = chosen_methods(arguments, varied);
   Sweep sweep{arguments, scene, folder_of(arguments, question_of(arguments, scene)),
               ResponseStream(arguments.format, {.method = {},
                                                 .order = scene.problem.subharmonic,
@@ -231,9 +231,10 @@ std::vector<MethodResponse> branches_of_methods(const SweepArguments& arguments,
 
 int sweep_branches(const SweepArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene));
+  const ParametrisedScene varied = parametrised(arguments, scene);
   bool all = true;
   const std::vector<MethodResponse> responses =
-      branches_of_methods(arguments, scene, parametrised(arguments, scene), all);
+      branches_of_methods(chosen_methods(arguments, varied), arguments, scene, varied, all);
   print(arguments, responses);
   draw(arguments, responses, scene.problem.name);
   if (interrupted()) return end_interrupted(arguments);
@@ -264,9 +265,9 @@ struct AttractorBranches {
   std::vector<std::string> off = {};
 };
 
-AttractorBranches branches_at(std::vector<AttractorsAt>& found, const SweepArguments& arguments,
-                              const Scene& scene, const ParametrisedScene& varied,
-                              const std::vector<double>& values) {
+AttractorBranches branches_at(std::vector<AttractorsAt>& found, const std::vector<MethodChoice>& methods,
+                              const SweepArguments& arguments, const Scene& scene,
+                              const ParametrisedScene& varied, const std::vector<double>& values) {
   SweepArguments silent = arguments;
   silent.format = "json";  // what comes is printed at the end
   const MethodChoice exact{.entry = &exact_method()};
@@ -274,7 +275,7 @@ AttractorBranches branches_at(std::vector<AttractorsAt>& found, const SweepArgum
   silent.branches.begin_at = motions_of(varied, found, orders);
   silent.branches.at = values;
   AttractorBranches result;
-  result.responses = branches_of_methods(silent, scene, varied, result.all);
+  result.responses = branches_of_methods(methods, silent, scene, varied, result.all);
   for (const MethodResponse& response : result.responses) {
     if (parse_method_label(response.method).method != exact.entry->name) continue;
     result.off =
@@ -319,11 +320,12 @@ int sweep_attractors(const SweepArguments& arguments) {
                                  scene.problem.name, obstacle));
   const ParametrisedScene varied = parametrised(arguments, scene);
   const std::vector<double> values = attractor_values(arguments);
-  if (!arguments.methods.empty()) chosen_methods(arguments, varied);  // refused before starts are followed
+  std::vector<MethodChoice> methods;  // refused, if they are, before starts are followed
+  if (!arguments.methods.empty()) methods = chosen_methods(arguments, varied);
   watch_interrupts();
   std::vector<AttractorsAt> found = followed_starts(arguments, scene, varied, values);
   AttractorBranches branches;
-  if (!arguments.methods.empty()) branches = branches_at(found, arguments, scene, varied, values);
+  if (!methods.empty()) branches = branches_at(found, methods, arguments, scene, varied, values);
   print_attractors(arguments, branches, found);
   draw(arguments, branches.responses, scene.problem.name, found);
   if (interrupted()) return kInterrupted;

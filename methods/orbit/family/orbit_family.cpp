@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "methods/solvers/constants.hpp"
 #include "methods/structure/rigid_motions.hpp"
-#include "problems/linear_algebra/singular_values.hpp"
 #include "problems/linear_algebra/sparse/sparse_factors.hpp"
 #include "problems/skew_parts.hpp"
 
@@ -20,13 +18,11 @@ Problem held(const Problem& problem) { return with_idle_parts_held(problem).valu
 
 // Along motions that no contact feels one point of a curve is as good as another.
 std::string free_motion_obstacle(const Problem& problem) {
+  if (rigid_motions(problem).cols() == 0) return {};
   if (std::string unbalanced = unbalanced_mean_load(problem); !unbalanced.empty()) return unbalanced;
   const Eigen::MatrixXd motions = rigid_motions(held(problem));
   if (motions.cols() == 0 || problem.contacts.empty()) return {};
-  const Eigen::MatrixXd directions = Eigen::MatrixXd(contact_directions(problem)).transpose();
-  const double scale = (directions.cwiseAbs() * motions.cwiseAbs()).maxCoeff();
-  const SingularValues felt = singular_vectors(directions * motions);
-  if ((felt.values.array() > kMatrixRounding * scale).count() == motions.cols()) return {};
+  if (felt_first(problem, motions).felt == motions.cols()) return {};
   return "parts that contacts alone tie together may be anywhere as one: hold one of them by a weak spring";
 }
 

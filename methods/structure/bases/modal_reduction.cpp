@@ -73,9 +73,12 @@ ContactReduction on_shared_modes(const Problem& problem) {
 
 }  // namespace
 
+bool has_shared_modes(const Problem& problem) {
+  return problem.size() > kMostModal && problem.size() <= kMostModalCoordinates && has_full_damping(problem);
+}
+
 ContactReduction modal_reduction(const Problem& problem) {
-  if (problem.size() > kMostModal && problem.size() <= kMostModalCoordinates && has_full_damping(problem))
-    return on_shared_modes(problem);
+  if (has_shared_modes(problem)) return on_shared_modes(problem);
   CondensedStructure whole = condense(problem, kMostModal);
   if (!whole.obstacle.empty()) return ContactReduction::refused(whole.obstacle);
   if (whole.normals.cols() == 0 && whole.load.isZero(0.0))

@@ -9,6 +9,10 @@ namespace signorini {
 /// Coordinates up to which all modes of any structure are found at once: a second's work.
 inline constexpr int kMostModal = 400;
 
+/// Whether all who look at a structure share its modes (`uncoupled_modes`): more than kMostModal coordinates,
+/// kMostModalCoordinates at most, under a full damping matrix.
+bool has_shared_modes(const Problem& problem);
+
 /// The modes phi_k of a scene on its coordinates with mass, theta_k K phi_k = M phi_k, omega_k^2 = 1 /
 /// theta_k, and C_m that of the massless coordinates alone (CondensedStructure): the whole structure, without
 /// loss. In this form of the eigenvalue problem the lowest modes are the accurate ones. One dense problem,

@@ -113,6 +113,16 @@ TEST(StaticReceptance, LeavesOutMotionsThatNoContactFeels) {
   EXPECT_NEAR(receptance.receptance[0](0, 0).real(), 1.0, 1e-14);
 }
 
+TEST(StaticReceptance, OfAFreeStructureWithoutContactsHoldsNothing) {
+  Problem problem = of_matrices(Eigen::Matrix2d::Identity(), Eigen::Matrix2d({{5.0, -5.0}, {-5.0, 5.0}}));
+  problem.force = {{.dof = 0, .harmonic = 1, .cos = 0.2}};
+  const ContactReceptance receptance = fourier_receptance(problem, 1);
+  EXPECT_EQ(receptance.rigid_count(), 0);
+  EXPECT_EQ(receptance.receptance[0].size(), 0);
+  problem.force.front().harmonic = 0;
+  EXPECT_THROW(fourier_receptance(problem, 1), NoPeriodicMotion);
+}
+
 TEST(StaticReceptance, NamesTheDirectionAlongWhichNothingBalancesTheLoad) {
   Problem ball = test::bouncing_ball();
   ball.force.front().cos = -9.81;  // away from its one stop
