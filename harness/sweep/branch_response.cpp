@@ -156,10 +156,12 @@ std::string incompleteness(const MethodResponse& response) {
   for (const ParameterRange& part : left_out)
     parts += fmt::format("{}from {:.6g} to {:.6g}", parts.empty() ? "" : ", ", part.low, part.high);
   const std::string& reason = response.diagram.unfinished;
-  const char* const option = reason.starts_with("limit of") ? " (--max-branches goes on)"
-                             : reason == "the time is up"   ? " (--total-time goes on)"
-                             : reason.empty()               ? " (--search looks for more beginnings)"
-                                                            : "";
+  const char* const option = reason.starts_with("limit of")
+                                 ? " (--max-branches goes on; --attractors 4 tells what the machine does "
+                                   "there)"
+                             : reason == "the time is up" ? " (--total-time goes on)"
+                             : reason.empty()             ? " (--search looks for more beginnings)"
+                                                          : "";
   return fmt::format("{}: INCOMPLETE: no motion {}: {}{}", name_with_law(response), parts,
                      reason.empty() ? "no branch that was found goes there" : reason, option);
 }

@@ -23,18 +23,29 @@ class CurveQueue {
   /// \param limits  kept by the caller
   explicit CurveQueue(const CurveLimits& limits) : limits_(limits) {}
 
-  void add(Start start) { starts_.push_back(std::move(start)); }      ///< to be followed
-  void note(std::string text) { notes_.push_back(std::move(text)); }  ///< what is not followed, and why
+  void add(Start start) { starts_.push_back(std::move(start)); }  ///< to be followed
+  /// What is not followed, and why; said once.
+  void note(std::string text) {
+    if (std::ranges::find(notes_, text) == notes_.end()) notes_.push_back(std::move(text));
+  }
 
-  /// Takes a start out, one of the shortest period and of these the first; empty where none is left or the
-  /// time is up.
-  std::optional<Start> next() {
+  /// Takes a start out, one of the least rank and of these the first; empty where none is left or the time is
+  /// up. \param rank  of a start, by default the period of its curve
+  template <class Rank>
+  std::optional<Start> next(Rank rank) {
     if (starts_.empty() || expires()) return std::nullopt;
-    const auto first =
-        std::ranges::min_element(starts_, {}, [](const Start& start) { return start.periods(); });
+    const auto first = std::ranges::min_element(starts_, {}, rank);
     Start start = std::move(*first);
     starts_.erase(first);
     return start;
+  }
+  std::optional<Start> next() {
+    return next([](const Start& start) { return start.periods(); });
+  }
+  /// Whether such a start waits.
+  template <class Predicate>
+  [[nodiscard]] bool holds(Predicate predicate) const {
+    return std::ranges::any_of(starts_, predicate);
   }
   /// Whether there are as many branches as the limits permit; one more is then left undone.
   bool is_full() {

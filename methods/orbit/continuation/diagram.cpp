@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "methods/continuation/curve_queue.hpp"
 #include "methods/continuation/interval_gaps.hpp"
@@ -69,22 +70,39 @@ std::vector<OrbitBranch> branches_of(const TracedCurve& forward, const TracedCur
   return {joined(backward.branch, forward.branch)};
 }
 
-// A value in the widest part of the interval that no branch reaches, which is noted with those asked before;
-// empty where none is wide.
-std::optional<double> value_to_ask(const std::vector<OrbitBranch>& branches,
-                                   std::vector<ParameterRange>& asked, const ParametrisedScene& scene) {
-  constexpr double kWide = 0.01;    // of the interval
+// Parts of the interval that no range holds and that are worth a search.
+std::vector<ParameterRange> wide_gaps(std::vector<ParameterRange> held, const ParametrisedScene& scene) {
+  constexpr double kWide = 0.002;  // of the interval
+  std::vector<ParameterRange> gaps = uncovered(std::move(held), scene.from, scene.to);
+  std::erase_if(gaps, [&](const ParameterRange& gap) {
+    return gap.high - gap.low < kWide * (scene.high() - scene.low());
+  });
+  return gaps;
+}
+
+// A value in the widest of some gaps, which is noted with those asked before; empty where there is none.
+std::optional<double> value_to_ask(const std::vector<ParameterRange>& gaps,
+                                   std::vector<ParameterRange>& asked) {
   constexpr double kInside = 0.47;  // of the gap: nothing special is there
   constexpr double kApart = 1e-3;   // of the gap, which it parts
-  std::vector<ParameterRange> held = asked;
-  for (const OrbitBranch& branch : branches) held.push_back(range_of(branch));
-  const std::vector<ParameterRange> gaps = uncovered(held, scene.from, scene.to);
   const auto width = [](const ParameterRange& gap) { return gap.high - gap.low; };
   const auto widest = std::ranges::max_element(gaps, {}, width);
-  if (widest == gaps.end() || width(*widest) < kWide * (scene.high() - scene.low())) return std::nullopt;
+  if (widest == gaps.end()) return std::nullopt;
   const double value = widest->low + kInside * width(*widest);
   asked.push_back({value, value + kApart * width(*widest)});
   return value;
+}
+
+// Whether a curve begins in a gap, or at an end of it and inwards.
+bool leads_into(const CurveStart& start, double unit, const std::vector<ParameterRange>& gaps) {
+  constexpr double kAtEnd = 1e-6;  // of the gap
+  const double value = unit * start.orbit.parameter();
+  const bool rises = start.tangent[start.tangent.size() - 1] > 0.0;
+  return std::ranges::any_of(gaps, [&](const ParameterRange& gap) {
+    const double near = kAtEnd * (gap.high - gap.low);
+    if (value < gap.low - near || value > gap.high + near) return false;
+    return rises ? value < gap.high - near : value > gap.low + near;
+  });
 }
 
 // Whether what begins on a branch is followed: cascades are infinite, and of motions of more than two periods
@@ -117,8 +135,15 @@ class DiagramTracer {
     // The interval first: what begins on the way may be a cascade that has no end.
     for (const SequencedOrbit& seed : seeds)
       if (!queue_.is_over()) add_seed(seed);
-    if (more) fill(more);
-    while (auto start = queue_.next()) {
+    while (true) {
+      const std::vector<ParameterRange> gaps = wide_gaps(held(), family_.scene());
+      const auto fills = [&](const CurveStart& start) {
+        return start.periods() == 1 && leads_into(start, family_.units().parameter, gaps);
+      };
+      if (more && !queue_.holds(fills) && fill(more)) continue;
+      const auto start =
+          queue_.next([&](const CurveStart& one) { return std::pair(!fills(one), one.periods()); });
+      if (!start) break;
       if (start->leaves != LeftBranch::crossing && is_an_end(*start)) continue;
       if (queue_.is_full()) break;
       follow(*start);
@@ -132,15 +157,26 @@ class DiagramTracer {
  private:
   void note(const std::string& text) { queue_.note(text); }
 
-  // Looks for orbits in what the branches so far leave out of the interval.
-  void fill(const OrbitsAt& more) {
-    constexpr int kMostTries = 4;
-    std::vector<ParameterRange> asked;
-    for (int i = 0; i < kMostTries && !queue_.is_over(); ++i) {
-      const auto value = value_to_ask(queue_.branches(), asked, family_.scene());
-      if (!value) return;
-      for (const SequencedOrbit& orbit : more(*value)) add_seed(orbit);
-    }
+  [[nodiscard]] std::vector<ParameterRange> held() const {
+    std::vector<ParameterRange> ranges;
+    for (const OrbitBranch& branch : queue_.branches()) ranges.push_back(range_of(branch));
+    return ranges;
+  }
+
+  // Looks for orbits in the widest part of the interval that no branch holds; false where none is wide, or
+  // the last searches were in vain.
+  bool fill(const OrbitsAt& more) {
+    constexpr int kMostSearches = 16;
+    constexpr int kMostInVain = 4;  // in a row
+    if (std::cmp_greater_equal(asked_.size(), kMostSearches) || in_vain_ >= kMostInVain) return false;
+    std::vector<ParameterRange> known = held();
+    known.insert(known.end(), asked_.begin(), asked_.end());
+    const auto value = value_to_ask(wide_gaps(std::move(known), family_.scene()), asked_);
+    if (!value || queue_.is_over()) return false;
+    const std::size_t before = queue_.branches().size();
+    for (const SequencedOrbit& orbit : more(*value)) add_seed(orbit);
+    in_vain_ = queue_.branches().size() > before ? 0 : in_vain_ + 1;
+    return true;
   }
 
   void add_seed(const SequencedOrbit& seed) {
@@ -265,7 +301,7 @@ class DiagramTracer {
     auto starts = start_impacting(family_, *grazing, limits_.max_order);
     if (!starts) return note(where + ": the first order does not tell what begins; not followed");
     for (CurveStart& start : *starts) {
-      constexpr int kMostEvents = 24;  // beyond which a branch counts as rattling
+      constexpr int kMostEvents = 48;  // beyond which a branch counts as rattling
       if (static_cast<int>(start.orbit.events.size()) > kMostEvents) {
         note(fmt::format("{}: more than {} events in a period; not followed", where, kMostEvents));
         continue;
@@ -279,7 +315,8 @@ class DiagramTracer {
   const std::optional<ParameterRange>& energies_;
   CurveQueue<CurveStart, OrbitBranch> queue_;
   std::vector<OrbitMark> ends_, grazings_, doubled_, crossed_, changed_;
-  int too_long_ = 0, dead_ends_ = 0;
+  std::vector<ParameterRange> asked_;  // short parts beside the values of searches
+  int too_long_ = 0, dead_ends_ = 0, in_vain_ = 0;
 };
 
 }  // namespace

@@ -19,11 +19,11 @@ using OrbitsAt = std::function<std::vector<SequencedOrbit>(double parameter)>;
 /// - at a period doubling the doubled orbit.
 ///
 /// Given orbits that do not hold the contact conditions, or lie on a branch that has been traced, are left
-/// out. Branches of more than two periods that are stable nowhere lead on to no others. Orbits of smaller
-/// periods first. What a limit leaves undone is said in `unfinished`, what is met and
-/// not followed in `notes`: it is an end of its branch all the same.
-/// \param more  asked for orbits where the branches from `seeds` leave more than a hundredth of the interval
-///              out, in the widest gap first, four times at most
+/// out. First what leads on into a part of the interval that no branch holds, then orbits of smaller periods.
+/// Branches of more than two periods that are stable nowhere lead on to no others. What a limit leaves undone
+/// is said in `unfinished`, what is met and not followed in `notes`: it is an end of its branch all the same.
+/// \param more  asked for orbits in the widest part of the interval, above 1/500 of it, that no branch holds
+///              and none leads into: at 16 values at most, and no more after four in vain
 /// \param starts  of curves that are followed first, each one way
 /// \param energies  as of trace_curve
 OrbitDiagram trace_diagram(OrbitFamily& family, const std::vector<SequencedOrbit>& seeds,

@@ -297,7 +297,8 @@ TEST(Incompleteness, SaysWhatIsMissingAndWhatGoesOn) {
   response.diagram.unfinished = "limit of 60 branches";
   EXPECT_EQ(
       incompleteness(response),
-      "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on)");
+      "exact-orbit: INCOMPLETE: no motion from 84.6 to 120: limit of 60 branches (--max-branches goes on; "
+      "--attractors 4 tells what the machine does there)");
 }
 
 }  // namespace

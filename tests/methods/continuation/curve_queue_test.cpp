@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace signorini::curve_queue_test {
 namespace {
@@ -22,6 +23,26 @@ TEST(CurveQueue, FollowsShortPeriodsFirstAndInTheOrderOfTheirComing) {
   std::string order;
   while (const auto start = queue.next()) order += start->name;
   EXPECT_EQ(order, "bca");
+}
+
+TEST(CurveQueue, FollowsWhatIsRankedFirst) {
+  const CurveLimits limits;
+  CurveQueue<Named> queue(limits);
+  queue.add({1, "short"});
+  queue.add({3, "wanted"});
+  const auto wanted = [](const Named& start) { return start.name == "wanted"; };
+  const auto rank = [&](const Named& start) { return wanted(start) ? 0 : start.period; };
+  EXPECT_TRUE(queue.holds(wanted));
+  EXPECT_EQ(queue.next(rank).value().name, "wanted");
+  EXPECT_FALSE(queue.holds(wanted));
+  EXPECT_EQ(queue.next(rank).value().name, "short");
+}
+
+TEST(CurveQueue, SaysOnceWhatIsNotFollowed) {
+  const CurveLimits limits;
+  CurveQueue<Named> queue(limits);
+  for (const char* text : {"a corner", "an end", "a corner"}) queue.note(text);
+  EXPECT_EQ(queue.finish<BranchDiagram>().notes, (std::vector<std::string>{"a corner", "an end"}));
 }
 
 TEST(CurveQueue, SaysWhichLimitLeftSomethingUndone) {

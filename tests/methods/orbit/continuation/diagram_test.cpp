@@ -179,6 +179,36 @@ TEST(TraceDiagram, FollowsImpactsOnBothStopsFromASymmetricGrazing) {
   }
 }
 
+// What leads on into the rest of the interval comes before all else, and makes a search there needless.
+TEST(TraceDiagram, HoldsTheIntervalFirst) {
+  OrbitFamily family(over_frequency(test::to_problem({.damping = 0.1, .gap = 0.2}), 1.5, 4.5));
+  const std::vector<SequencedOrbit> free = {contact_free_orbit(family, 4.5).value()};
+  int searches = 0;
+  const auto in_vain = [&](double) {
+    ++searches;
+    return std::vector<SequencedOrbit>{};
+  };
+  const OrbitDiagram diagram = trace_diagram(family, free, {.max_branches = 2}, in_vain);
+  std::vector<ParameterRange> held;
+  for (const OrbitBranch& branch : diagram.branches) held.push_back(range_of(branch));
+  EXPECT_TRUE(uncovered(held, 1.5, 4.5).empty());
+  EXPECT_EQ(searches, 0);
+}
+
+// Below the grazing no branch is followed here: searches end once they find nothing.
+TEST(TraceDiagram, SearchesWhatNothingLeadsIntoAFewTimesOnly) {
+  OrbitFamily family(over_frequency(test::to_problem({.damping = 0.1, .gap = 0.2}), 0.5, 2.0));
+  std::vector<double> asked;
+  const auto in_vain = [&](double value) {
+    asked.push_back(value);
+    return std::vector<SequencedOrbit>{};
+  };
+  const OrbitDiagram diagram = trace_diagram(family, {}, {}, in_vain);
+  EXPECT_TRUE(diagram.branches.empty());
+  EXPECT_EQ(asked.size(), 4U);
+  for (const double value : asked) EXPECT_TRUE(value > 0.5 && value < 2.0);
+}
+
 TEST(TraceDiagram, StopsAtItsLimitsAndSaysSo) {
   const Problem problem = test::to_problem({.damping = 0.1, .gap = 0.2});
   const OrbitDiagram few = diagram_of(problem, 1.5, 4.5, {.max_branches = 2});
