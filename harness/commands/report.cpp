@@ -97,9 +97,9 @@ void add_report_command(const Command& program) {
                  "or of an earlier such report");
   command.option(
       "--format", arguments->formats,
-      "md (table.md), csv (table.csv, measures.csv), tex (tables/*.tex), html (report.html), screen "
-      "(printed as at the end of run, no file), separated by commas; tex also draws figures/*.svg and "
-      "*.pdf, which needs gnuplot",
+      "md (table.md, in large runs the first rows of long tables), whole (table-whole.md, all rows), csv "
+      "(table.csv, measures.csv), tex (tables/*.tex), html (report.html), screen (printed as at the end of "
+      "run, no file), separated by commas; tex also draws figures/*.svg and *.pdf, which needs gnuplot",
       {.separated_by = ',', .one_of = formats_known()});
   add_column_option(command, arguments->column, "figures/*");
   command.option("--into", arguments->document,

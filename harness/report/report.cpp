@@ -113,19 +113,27 @@ Section verdict_section(const Evaluation& evaluation) {
   return section;
 }
 
+// What somebody reads: where all tables together are too long, the first rows of each long one.
+std::string short_markdown(const std::vector<Section>& sections) {
+  constexpr std::size_t kMost = 300'000, kMostOfTable = 8'000;  // characters
+  std::string whole = markdown_report(sections);
+  return whole.size() > kMost ? markdown_report(sections, kMostOfTable) : whole;
+}
+
 }  // namespace
 
 std::vector<fs::path> write_report(const fs::path& folder, const Evaluation& evaluation,
                                    const std::vector<std::string>& formats, Column column) {
   const auto wants = [&](const char* format) { return std::ranges::count(formats, format) > 0; };
-  const bool tables = wants("md") || wants("tex") || wants("html");
+  const bool tables = wants("md") || wants("whole") || wants("tex") || wants("html");
   const std::vector<Section> sections = tables ? sections_of(evaluation) : std::vector<Section>();
   std::vector<fs::path> files;
   const auto write = [&](const fs::path& file, const auto& text) {
     write_whole(file, text);
     files.push_back(file);
   };
-  if (wants("md")) write(folder / "table.md", markdown_report(sections));
+  if (wants("md")) write(folder / "table.md", short_markdown(sections));
+  if (wants("whole")) write(folder / "table-whole.md", markdown_report(sections));
   if (wants("csv") && !evaluation.results().empty()) {
     write(folder / "table.csv", [&](const TextSink& sink) { csv_report(evaluation, sink); });
     write(folder / "measures.csv", [&](const TextSink& sink) { measures_csv(evaluation, sink); });

@@ -13,11 +13,12 @@
 namespace signorini {
 
 /// Formats of reports.
-inline const std::vector<std::string> kReportFormats{"md", "csv", "tex", "html"};
+inline const std::vector<std::string> kReportFormats{"md", "whole", "csv", "tex", "html"};
 
 /// Writes the report of a run in these formats, the same bytes whatever the order of the records:
 ///
-/// - md: table.md
+/// - md: table.md; where it would have more than 300,000 characters, each of its tables as far as 8,000 go
+/// - whole: table-whole.md, all of them to their ends
 /// - csv: table.csv, one row per record of a motion; measures.csv, one row per scene and method
 /// - tex: tables/SECTION.tex, and the figures
 /// - html: report.html; of more than kMostOfPage cases the scenes on pages/NUMBER.html

@@ -236,7 +236,7 @@ def time_without_end(program, campaign, folder):
 
 
 # Every name that a command writes into a folder of results, or a folder below it.
-WRITTEN = ["table.md", "table.csv", "measures.csv", "report.html", "manifest.json", "plan.txt", "records.jsonl", "unfinished.jsonl",
+WRITTEN = ["table.md", "table-whole.md", "table.csv", "measures.csv", "report.html", "manifest.json", "plan.txt", "records.jsonl", "unfinished.jsonl",
            "records.previous.jsonl", "tables", "figures", "pages"]
 TRAPS = ["link to a file", "link to a folder", "pipe", "hard link", "link to a device"]
 
@@ -275,7 +275,7 @@ def traps(program, random, count, folder, findings):
         victim = folder / "victim"
         victim.write_text("precious\n")
         set_trap(kind, results / name, victim, elsewhere)
-        arguments = {"report": ["report", "results", "--format", "md,csv,tex,html"], "resume": [*RUN, "--out", "results", "--resume"],
+        arguments = {"report": ["report", "results", "--format", "md,whole,csv,tex,html"], "resume": [*RUN, "--out", "results", "--resume"],
                      "merge": ["merge", "whole", "--out", "results"]}[command]
         outcome = campaign.count(program.run(arguments, folder, seconds=60.0))
         found = program.violations(outcome, codes=(0, 2))

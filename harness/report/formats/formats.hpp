@@ -1,6 +1,7 @@
 #pragma once
 // A report as text: Markdown, LaTeX, CSV.
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -10,8 +11,9 @@
 
 namespace signorini {
 
-/// All sections as Markdown, one below the other.
-std::string markdown_report(std::span<const Section> sections);
+/// All sections as Markdown, one below the other. \param most  characters of a table: a longer one ends with
+/// the rows that have room, at least one, and how many these are of how many stands below it
+std::string markdown_report(std::span<const Section> sections, std::size_t most = std::string::npos);
 
 /// A document with its tables brought up to date: what stands between a line
 /// `<!-- table RUN/SECTION [WORD] -->` and the next `<!-- /table -->` becomes the table of that section, of

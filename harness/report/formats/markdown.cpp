@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 
 #include "harness/failure.hpp"
@@ -40,14 +41,25 @@ std::string table_for(const std::string& words, std::span<const Section> section
   return to_narrow_markdown(table);
 }
 
+// A table, as far as it has room.
+std::string shortened(Table table, std::size_t most) {
+  const std::string whole = to_markdown(table);
+  const std::size_t rows = table.rows.size();
+  if (whole.size() <= most || rows < 2) return whole;
+  // Lines are of the same length, heads and rows alike.
+  table.rows.resize(std::max<std::size_t>(1, rows * most / whole.size()));
+  return to_markdown(table) + fmt::format("\n{} of {} rows; `signorini report --format whole` writes all.\n",
+                                          table.rows.size(), rows);
+}
+
 }  // namespace
 
-std::string markdown_report(std::span<const Section> sections) {
+std::string markdown_report(std::span<const Section> sections, std::size_t most) {
   std::string text;
   for (const Section& section : sections) {
     text += fmt::format("{}## {}\n\n", text.empty() ? "" : "\n", section.title);
     if (!section.text.empty()) text += wrapped(section.text) + "\n";
-    if (!section.table.header.empty()) text += to_markdown(section.table);
+    if (!section.table.header.empty()) text += shortened(section.table, most);
     if (!section.note.empty()) text += "\n" + wrapped(section.note);
   }
   return text;

@@ -49,6 +49,21 @@ TEST(WithTables, FindsNothingToDoWhereNoMarkerOrNoRowIsMeant) {
   EXPECT_THROW(with_tables(document, "other", sections), NothingMatched);
 }
 
+TEST(MarkdownReport, EndsLongTablesAndSaysHowManyRowsThereAre) {
+  Section section{.id = "one", .title = "One", .table = {.header = {"a"}}};
+  for (int i = 0; i < 100; ++i) section.table.rows.push_back({std::to_string(i)});
+  const std::vector<Section> sections{section};
+  const std::string whole = markdown_report(sections);
+  EXPECT_NE(whole.find("| 99"), std::string::npos);
+  EXPECT_EQ(markdown_report(sections, whole.size()), whole);
+  const std::string part = markdown_report(sections, whole.size() / 4);
+  EXPECT_LT(part.size(), whole.size() / 2);
+  EXPECT_NE(part.find("| 0 "), std::string::npos);
+  EXPECT_EQ(part.find("| 99"), std::string::npos);
+  EXPECT_NE(part.find(" of 100 rows"), std::string::npos) << part;
+  EXPECT_NE(markdown_report(sections, 1).find("1 of 100 rows"), std::string::npos);
+}
+
 TEST(MarkdownReport, HasTitleTextTableAndNoteOfEverySection) {
   Section section;
   section.id = "one";
