@@ -181,11 +181,14 @@ class DiagramTracer {
 
   void add_seed(const SequencedOrbit& seed) {
     ExtendedEquations given(family_, seed);
-    if (!correct_at_parameter(given, seed.x)) return note("a start of a branch is not on a curve");
+    const std::string given_at =
+        fmt::format("start at {:.10g}", family_.units().parameter * seed.parameter());
+    if (!correct_at_parameter(given, seed.x))
+      return note(given_at + ": Newton's method does not converge beside this motion; not followed");
     const ResolvedChatter resolved = resolve_chatter(given);
     if (!resolved.obstacle.empty())
       return note(
-          fmt::format("a start of a branch chatters completely: {}; not followed", resolved.obstacle));
+          fmt::format("{}: the motion chatters completely: {}; not followed", given_at, resolved.obstacle));
     if (resolved.orbit) return add_seed(*resolved.orbit);
     const SequencedOrbit orbit = of_least_period(given.orbit(), given);
     ExtendedEquations equations(family_, orbit);
@@ -287,10 +290,10 @@ class DiagramTracer {
   }
 
   void graze(const TracedCurve& curve, const OrbitMark& end) {
-    const auto grazing = grazing_orbit(family_, curve);
-    if (!grazing) return note("a grazing orbit cannot be evaluated");
-    if (!is_new(grazing->mark, grazings_)) return;
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
+    const auto grazing = grazing_orbit(family_, curve);
+    if (!grazing) return note(fmt::format("{}: the motion there cannot be evaluated; not followed", where));
+    if (!is_new(grazing->mark, grazings_)) return;
     if (!family_.driven() && grazing->base.events.empty())
       return note(fmt::format("{}: {}", where, kLinearMode));
     if (!end.same(grazing->mark)) {
@@ -299,7 +302,8 @@ class DiagramTracer {
     if (!grazing->obstacle.empty())
       return note(fmt::format("{}: {}; not followed", where, grazing->obstacle));
     auto starts = start_impacting(family_, *grazing, limits_.max_order);
-    if (!starts) return note(where + ": the first order does not tell what begins; not followed");
+    if (!starts)
+      return note(where + ": the equations of first order do not decide which motions begin; not followed");
     for (CurveStart& start : *starts) {
       constexpr int kMostEvents = 48;  // beyond which a branch counts as rattling
       if (static_cast<int>(start.orbit.events.size()) > kMostEvents) {
