@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -70,6 +71,12 @@ std::vector<OrbitBranch> branches_of(const TracedCurve& forward, const TracedCur
   return {joined(backward.branch, forward.branch)};
 }
 
+std::vector<ParameterRange> ranges_of(const std::vector<OrbitBranch>& branches) {
+  std::vector<ParameterRange> ranges;
+  for (const OrbitBranch& branch : branches) ranges.push_back(range_of(branch));
+  return ranges;
+}
+
 // Parts of the interval that no range holds and that are worth a search.
 std::vector<ParameterRange> wide_gaps(std::vector<ParameterRange> held, const ParametrisedScene& scene) {
   constexpr double kWide = 0.002;  // of the interval
@@ -80,18 +87,32 @@ std::vector<ParameterRange> wide_gaps(std::vector<ParameterRange> held, const Pa
   return gaps;
 }
 
-// A value in the widest of some gaps, which is noted with those asked before; empty where there is none.
-std::optional<double> value_to_ask(const std::vector<ParameterRange>& gaps,
-                                   std::vector<ParameterRange>& asked) {
-  constexpr double kInside = 0.47;  // of the gap: nothing special is there
-  constexpr double kApart = 1e-3;   // of the gap, which it parts
-  const auto width = [](const ParameterRange& gap) { return gap.high - gap.low; };
-  const auto widest = std::ranges::max_element(gaps, {}, width);
-  if (widest == gaps.end()) return std::nullopt;
-  const double value = widest->low + kInside * width(*widest);
-  asked.push_back({value, value + kApart * width(*widest)});
-  return value;
-}
+// The values at which motions are searched, as long as this finds some.
+class GapSearch {
+ public:
+  // A value in the widest part of the interval that no range holds; empty where none is wide, or enough was
+  // searched.
+  std::optional<double> next(std::vector<ParameterRange> held, const ParametrisedScene& scene) {
+    constexpr std::size_t kMost = 16;
+    constexpr int kMostInVain = 4;    // in a row
+    constexpr double kInside = 0.47;  // of the gap: nothing special is there
+    constexpr double kApart = 1e-3;   // of the gap, which it parts
+    if (asked_.size() >= kMost || in_vain_ >= kMostInVain) return std::nullopt;
+    held.insert(held.end(), asked_.begin(), asked_.end());
+    const std::vector<ParameterRange> gaps = wide_gaps(std::move(held), scene);
+    const auto width = [](const ParameterRange& gap) { return gap.high - gap.low; };
+    const auto widest = std::ranges::max_element(gaps, {}, width);
+    if (widest == gaps.end()) return std::nullopt;
+    const double value = widest->low + kInside * width(*widest);
+    asked_.push_back({value, value + kApart * width(*widest)});
+    return value;
+  }
+  void ended(bool in_vain) { in_vain_ = in_vain ? in_vain_ + 1 : 0; }
+
+ private:
+  std::vector<ParameterRange> asked_;
+  int in_vain_ = 0;
+};
 
 // Whether a curve begins in a gap, or at an end of it and inwards.
 bool leads_into(const CurveStart& start, double unit, const std::vector<ParameterRange>& gaps) {
@@ -123,6 +144,8 @@ std::string doublings_left(int count, int max_order) {
       max_order < kMostOrder ? fmt::format("; --max-order {}", std::min(kMostOrder, 2 * max_order)) : "");
 }
 
+constexpr std::size_t kMostEvents = 48;  // of a period, beyond which a branch counts as rattling
+
 class DiagramTracer {
  public:
   DiagramTracer(OrbitFamily& family, const CurveLimits& limits, const std::optional<ParameterRange>& energies)
@@ -132,11 +155,10 @@ class DiagramTracer {
                    const std::vector<CurveStart>& starts) {
     for (const CurveStart& start : starts)
       if (!queue_.is_over()) follow(start);
-    // The interval first: what begins on the way may be a cascade that has no end.
     for (const SequencedOrbit& seed : seeds)
       if (!queue_.is_over()) add_seed(seed);
     while (true) {
-      const std::vector<ParameterRange> gaps = wide_gaps(held(), family_.scene());
+      const std::vector<ParameterRange> gaps = wide_gaps(ranges_of(queue_.branches()), family_.scene());
       const auto fills = [&](const CurveStart& start) {
         return start.periods() == 1 && leads_into(start, family_.units().parameter, gaps);
       };
@@ -148,54 +170,37 @@ class DiagramTracer {
       if (queue_.is_full()) break;
       follow(*start);
     }
-    if (too_long_ > 0) note(doublings_left(too_long_, limits_.max_order));
+    if (too_long_ > 0) queue_.note(doublings_left(too_long_, limits_.max_order));
     if (dead_ends_ > 0)
-      note(fmt::format("{} unstable branches of more than two periods not followed on", dead_ends_));
+      queue_.note(fmt::format("{} unstable branches of more than two periods not followed on", dead_ends_));
     return queue_.finish<OrbitDiagram>();
   }
 
  private:
-  void note(const std::string& text) { queue_.note(text); }
-
-  [[nodiscard]] std::vector<ParameterRange> held() const {
-    std::vector<ParameterRange> ranges;
-    for (const OrbitBranch& branch : queue_.branches()) ranges.push_back(range_of(branch));
-    return ranges;
-  }
-
-  // Looks for orbits in the widest part of the interval that no branch holds; false where none is wide, or
-  // the last searches were in vain.
+  // Looks for orbits in the widest part of the interval that no branch holds; false where this has an end.
   bool fill(const OrbitsAt& more) {
-    constexpr int kMostSearches = 16;
-    constexpr int kMostInVain = 4;  // in a row
-    if (std::cmp_greater_equal(asked_.size(), kMostSearches) || in_vain_ >= kMostInVain) return false;
-    std::vector<ParameterRange> known = held();
-    known.insert(known.end(), asked_.begin(), asked_.end());
-    const auto value = value_to_ask(wide_gaps(std::move(known), family_.scene()), asked_);
+    const auto value = search_.next(ranges_of(queue_.branches()), family_.scene());
     if (!value || queue_.is_over()) return false;
     const std::size_t before = queue_.branches().size();
     for (const SequencedOrbit& orbit : more(*value)) add_seed(orbit);
-    in_vain_ = queue_.branches().size() > before ? 0 : in_vain_ + 1;
+    search_.ended(queue_.branches().size() == before);
     return true;
   }
 
   void add_seed(const SequencedOrbit& seed) {
     ExtendedEquations given(family_, seed);
-    const std::string given_at =
-        fmt::format("start at {:.10g}", family_.units().parameter * seed.parameter());
+    const std::string origin = fmt::format("start at {:.10g}", family_.units().parameter * seed.parameter());
     if (!correct_at_parameter(given, seed.x))
-      return note(given_at + ": Newton's method does not converge beside this motion; not followed");
+      return queue_.note(origin + ": Newton's method does not converge beside this motion; not followed");
     const ResolvedChatter resolved = resolve_chatter(given);
     if (!resolved.obstacle.empty())
-      return note(
-          fmt::format("{}: the motion chatters completely: {}; not followed", given_at, resolved.obstacle));
+      return queue_.note(fmt::format("{}: complete chatter: {}; not followed", origin, resolved.obstacle));
     if (resolved.orbit) return add_seed(*resolved.orbit);
     const SequencedOrbit orbit = of_least_period(given.orbit(), given);
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x) || is_known(equations)) return;
     const Eigen::VectorXd tangent = first_tangent(equations);
     if (violates(station_at(equations, tangent))) return;  // no motion of the scene
-    const std::string origin = fmt::format("start at {:.10g}", equations.parameter());
     const auto half = [&](double sign) {
       const CurveStart start{.orbit = orbit, .tangent = sign * tangent, .origin = origin};
       return trace_curve(family_, in_order_along(family_, start), limits_, energies_);
@@ -207,7 +212,7 @@ class DiagramTracer {
     }
     const TracedCurve backward = half(-1.0);
     if (!forward.rejected.empty() && !backward.rejected.empty())
-      return note(origin + ": " + forward.rejected);
+      return queue_.note(origin + ": " + forward.rejected);
     for (OrbitBranch& branch : branches_of(forward, backward)) queue_.keep(std::move(branch));
     if (forward.rejected.empty()) leave(forward);
     if (backward.rejected.empty()) leave(backward);
@@ -246,10 +251,10 @@ class DiagramTracer {
   void follow(const CurveStart& start) {
     const TracedCurve curve = trace_curve(family_, start, limits_, energies_);
     if (!curve.rejected.empty()) {
-      if (curve.rejected != kEndOfInterval) note(start.origin + ": " + curve.rejected);
+      if (curve.rejected != kEndOfInterval) queue_.note(start.origin + ": " + curve.rejected);
       return;
     }
-    for (const std::string& undecided : curve.notes) note(undecided);
+    for (const std::string& undecided : curve.notes) queue_.note(undecided);
     queue_.keep(curve.branch);
     end_here(start.orbit);
     if (!leads_on(curve.branch)) return void(++dead_ends_);
@@ -279,7 +284,7 @@ class DiagramTracer {
     if (is_grazing(*curve.guard, equations)) return graze(curve, end);
     if (!is_new(end, changed_)) return;
     ChangeOfSequence change = past_change(family_, curve);
-    if (!change.start) return note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
+    if (!change.start) return queue_.note(fmt::format("{}: {}", curve.branch.ended, change.obstacle));
     queue_.add(std::move(*change.start));
   }
 
@@ -291,26 +296,25 @@ class DiagramTracer {
 
   void graze(const TracedCurve& curve, const OrbitMark& end) {
     const std::string where = fmt::format("grazing at {:.10g}", curve.branch.points.back().parameter);
+    const auto leave_out = [&](std::string_view why) {
+      queue_.note(fmt::format("{}: {}; not followed", where, why));
+    };
     const auto grazing = grazing_orbit(family_, curve);
-    if (!grazing) return note(fmt::format("{}: the motion there cannot be evaluated; not followed", where));
+    if (!grazing) return leave_out("the motion there cannot be evaluated");
     if (!is_new(grazing->mark, grazings_)) return;
     if (!family_.driven() && grazing->base.events.empty())
-      return note(fmt::format("{}: {}", where, kLinearMode));
+      return queue_.note(fmt::format("{}: {}", where, kLinearMode));
     if (!end.same(grazing->mark)) {
       if (auto start = start_clear(family_, *grazing)) queue_.add(std::move(*start));
     }
-    if (!grazing->obstacle.empty())
-      return note(fmt::format("{}: {}; not followed", where, grazing->obstacle));
+    if (!grazing->obstacle.empty()) return leave_out(grazing->obstacle);
     auto starts = start_impacting(family_, *grazing, limits_.max_order);
-    if (!starts)
-      return note(where + ": the equations of first order do not decide which motions begin; not followed");
+    if (!starts) return leave_out("the equations of first order do not decide which motions begin");
     for (CurveStart& start : *starts) {
-      constexpr int kMostEvents = 48;  // beyond which a branch counts as rattling
-      if (static_cast<int>(start.orbit.events.size()) > kMostEvents) {
-        note(fmt::format("{}: more than {} events in a period; not followed", where, kMostEvents));
-        continue;
-      }
-      queue_.add(std::move(start));
+      if (start.orbit.events.size() > kMostEvents)
+        leave_out(fmt::format("more than {} events in a period", kMostEvents));
+      else
+        queue_.add(std::move(start));
     }
   }
 
@@ -319,8 +323,8 @@ class DiagramTracer {
   const std::optional<ParameterRange>& energies_;
   CurveQueue<CurveStart, OrbitBranch> queue_;
   std::vector<OrbitMark> ends_, grazings_, doubled_, crossed_, changed_;
-  std::vector<ParameterRange> asked_;  // short parts beside the values of searches
-  int too_long_ = 0, dead_ends_ = 0, in_vain_ = 0;
+  GapSearch search_;
+  int too_long_ = 0, dead_ends_ = 0;
 };
 
 }  // namespace
