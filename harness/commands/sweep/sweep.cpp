@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -186,6 +187,7 @@ void print(const SweepArguments& arguments, const std::vector<MethodResponse>& r
   }
   if (arguments.format == "md") fmt::print("{}", to_markdown(branch_table(responses)));
   if (arguments.format == "text") fmt::print("{}", sweep_text(responses));
+  std::fflush(stdout);  // before what is said of it, where both go into one file
   for (const MethodResponse& response : responses) {
     for (const std::string& note : response.diagram.notes) fmt::print(stderr, "{}\n", note);
     for (const std::string& line : shortcomings(response, arguments.range.at))
