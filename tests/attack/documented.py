@@ -71,6 +71,7 @@ def scenes_of_each_kind(folder):
         "massless contact": shipped("bar10-massless"),
         "damping ratios of modes": shipped("bar10-massless").replace("modal = 0.05", "modal = [0.0, 0.02, 1e3]"),
         "1000 coordinates": bar_of(1000),
+        "1000 coordinates, without contact": bar_of(1000).partition("[[contact]]")[0].replace('contact_mass = "massless"\n', ""),
     }
     folder.mkdir(exist_ok=True)
     for number, (kind, text) in enumerate(files.items()):
