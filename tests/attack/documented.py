@@ -100,6 +100,7 @@ COMMANDS = {
             ["--max-branches", "1"], ["--max-points", "3"]),
     ("sweep", "SCENE", "--method", "aft-hbm", "--set", "harmonics=5", "--from", "0.9", "--to", "1.1", "--points", "3"): (
         ["--format", "json"], ["--format", "csv"], ["--back"], ["--plot", "p.svg"], ["--log"], ["--certify"], ["--hz"]),
+    ("sweep", "SCENE", "--methods", "hat-lcp:aft-hbm", "--from", "0.9", "--to", "1.1", "--total-time", "2"): (["--format", "json"], ["--plot", "p.svg"]),
     ("sweep", "SCENE", "--methods", "exact-orbit", "--parameter", "system.mass", "--from", "1", "--to", "0", "--total-time", "2"): (
         ["--format", "json"], ["--plot", "p.svg"]),
     (*SWEEP, "--second", "contact[0].gap", "--second-from", "0.2", "--second-to", "0.3"): (
