@@ -20,9 +20,11 @@
 #include "methods/reduction/contact_space.hpp"
 #include "methods/reduction/reduced_problem.hpp"
 #include "methods/structure/bases/structure_modes.hpp"
+#include "methods/structure/dynamic_stiffness.hpp"
 #include "problems/assembly/damping.hpp"
 #include "problems/files/kebab_case.hpp"
 #include "problems/sparse_cholesky.hpp"
+#include "problems/validation.hpp"
 
 namespace signorini {
 
@@ -120,16 +122,32 @@ void damp(const std::vector<double>& ratios, const StructureModes* modes, Contac
   }
 }
 
-/// |C_n - C_n^m| / |C_n| in Frobenius' norm, C_n by the larger of two reductions.
-double receptance_error(const ContactReduction& small, const ContactReduction& large, double period,
-                        int harmonic) {
+/// \throws UsageError where there is no reduction, or its numbers are none that a scene may have
+void require_scene(const ReducedProblem& reduced, const std::string& word) {
+  std::string obstacle = reduced.obstacle;
+  try {
+    if (obstacle.empty()) validate(reduced.problem);
+  } catch (const InvalidProblem& error) {
+    obstacle = error.what();
+  }
+  if (!obstacle.empty())
+    throw UsageError(fmt::format("scene = {} (must be one that can be reduced: {})", word, obstacle));
+}
+
+/// |C_n - C_n^m| / |C_n| in Frobenius' norm, C_n by the larger of two reductions; at a resonance in words.
+std::string receptance_error(const ContactReduction& small, const ContactReduction& large, double period,
+                             int harmonic) {
   const double rate = 2.0 * std::numbers::pi / period * harmonic;
   const auto at = [&](const ContactReduction& reduction) {
     return contact_receptance(reduction, period, 0, [&](int) { return exact_weights(rate); })
         .receptance.front();
   };
-  const Eigen::MatrixXcd whole = at(large);
-  return (at(small) - whole).norm() / whole.norm();
+  try {
+    const Eigen::MatrixXcd whole = at(large);
+    return fmt::format("{:.1e}", (at(small) - whole).norm() / whole.norm());
+  } catch (const SingularStiffness&) {
+    return "none: it resonates undamped";
+  }
 }
 
 }  // namespace
@@ -180,9 +198,7 @@ std::string write_reduction(const ReducibleScene& scene, const ReductionOrder& o
     rayleigh = space.damping();
   }
   const ReducedProblem reduced = reduced_problem(problem, small);
-  if (!reduced.obstacle.empty())
-    throw UsageError(
-        fmt::format("scene = {} (must be one that can be reduced: {})", order.scene, reduced.obstacle));
+  require_scene(reduced, order.scene);
   const auto vectors = static_cast<int>(small.vectors());
   const fs::path folder = order.out.parent_path();
   const std::string name = order.out.stem().string();
@@ -197,7 +213,7 @@ std::string write_reduction(const ReducibleScene& scene, const ReductionOrder& o
       order.out.string(), reduced.problem.size(), problem.size(), vectors, problem.contact_count(),
       reduced.problem.size() - vectors, whole.vectors());
   for (const int harmonic : std::array{0, 1, 10, 100})
-    told += fmt::format("  harmonic {:<4} {:.1e}\n", harmonic,
+    told += fmt::format("  harmonic {:<4} {}\n", harmonic,
                         receptance_error(small, whole, problem.period(), harmonic));
   return told;
 }

@@ -69,7 +69,7 @@ struct ContactSpace::Source {
     if (!kept) {
       kept.emplace(problem.stiffness(), problem.mass(), few() ? all : start_of_many(columns), columns.most(),
                    factorise);
-      grow_to(begun);
+      kept->grow_to(begun);
     }
     return *kept;
   }
@@ -90,10 +90,6 @@ struct ContactSpace::Source {
   [[nodiscard]] bool holds_statics(const SpaceProjection& projection) const {
     return !statics || projection.outside.diagonal().maxCoeff() <=
                            kMatrixRounding * statics->rest().diagonal().maxCoeff();
-  }
-
-  void grow_to(Eigen::Index enough) {
-    while (kept->size() < enough && !kept->exhausted()) kept->grow();
   }
 
   bool release() {
@@ -139,7 +135,7 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   small_.obstacle = columns.obstacle;
   if (!small_.obstacle.empty()) return;
   const Eigen::Index most = columns.most(), contacts = columns.normals.cols();
-  const BlockLanczos& space = source_->vectors();
+  BlockLanczos& space = source_->vectors();
   if (!space.definite()) {
     small_.obstacle = std::string(kNotDefinite);
     return;
@@ -153,12 +149,12 @@ ContactSpace::ContactSpace(const Problem& problem, const ContactSpaceSettings& s
   source_->begun = settings.whole > 0 ? settings.whole : enough;
   const bool powers = given_small_ && source_->few();
   if (powers) {
-    source_->grow_to(small);
+    space.grow_to(small);
     SpaceProjection first = projection_from_start(space, contacts);
     refine_lowest(problem, space, columns, first);
     small_ = reduction_on(columns, first, space.size());
   }
-  source_->grow_to(source_->begun);
+  space.grow_to(source_->begun);
   coordinates_ = problem.size();
   damping_ = columns.damping;
   load_ = columns.load;
@@ -181,7 +177,7 @@ SpaceProjection ContactSpace::projection() {
   SpaceProjection result = source_->projection();
   const BlockLanczos& space = source_->vectors();
   whole_.complete =
-      space.size() >= source_->columns.most() || (space.exhausted() && source_->holds_statics(result));
+      space.size() >= source_->columns.most() || (space.invariant() && source_->holds_statics(result));
   return result;
 }
 

@@ -62,7 +62,7 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
   // Of a Krylov space from random columns the upper half has not converged to modes, nor have the lowest
   // before some powers.
   const Eigen::Index enough = krylov ? asked.vectors : 2 * asked.vectors + kPowers * kSolvedTogether;
-  while (space.size() < enough && !space.exhausted()) space.grow();
+  space.grow_to(enough);
   if (krylov) {
     result = reduction_on(columns, projection_from_start(space, normals.cols()), space.size());
   } else {
@@ -71,7 +71,7 @@ ContactReduction reduce_to_contacts(const Problem& problem, const ReductionSetti
     refine_lowest(problem, space, columns, projection);
     result = reduction_on(columns, projection, asked.vectors);
   }
-  const bool whole = space.exhausted() || space.size() >= most;
+  const bool whole = space.invariant() || space.size() >= most;
   result.complete = whole && (krylov || space.size() <= asked.vectors);
   return result;
 }

@@ -32,9 +32,10 @@ ReceptanceRate receptance_with_rate(const Problem& problem, int harmonics, const
       const double base = problem.base_frequency();
       const Eigen::MatrixXd& E = result.value.rigid;
       const double change = -2.0 / (problem.frequency * base * base);
-      result.receptance.emplace_back((change * E * E.transpose()).cast<Complex>());
-      if (E.cols() > 0)
-        result.free_response.row(n) = (change * E * result.value.rigid_load).transpose().cast<Complex>();
+      result.receptance.emplace_back(Eigen::MatrixXcd::Zero(contacts, contacts));
+      if (E.cols() == 0) continue;  // motions that no contact feels
+      result.receptance.back() = (change * E * E.transpose()).cast<Complex>();
+      result.free_response.row(n) = (change * E * result.value.rigid_load).transpose().cast<Complex>();
       continue;
     }
     right.col(contacts).setZero();

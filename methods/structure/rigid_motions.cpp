@@ -216,20 +216,16 @@ Eigen::MatrixXd rigid_motions(const Problem& problem) {
 std::optional<Problem> with_idle_parts_held(const Problem& problem) {
   const std::vector<bool> idle = coordinates_apart_from_contacts(problem);
   if (std::ranges::find(idle, true) == idle.end()) return std::nullopt;
-  Eigen::MatrixXd R = rigid_motions(problem);
-  Eigen::MatrixXd projection = R * R.transpose();  // blocks of the parts
-  for (std::size_t i = 0; i < idle.size(); ++i) {
-    if (idle[i]) continue;
-    projection.row(static_cast<Eigen::Index>(i)).setZero();
-    projection.col(static_cast<Eigen::Index>(i)).setZero();
-  }
-  if (projection.isZero(0.0)) return std::nullopt;
+  Eigen::MatrixXd R = rigid_motions(problem);  // R R^T has a block for each part
+  for (std::size_t i = 0; i < idle.size(); ++i)
+    if (!idle[i]) R.row(static_cast<Eigen::Index>(i)).setZero();
+  if (R.isZero(0.0)) return std::nullopt;
   const Eigen::VectorXd mean = load_coefficient(problem, 0).real();
-  const double scale = (projection.cwiseAbs() * mean.cwiseAbs()).maxCoeff();
-  if ((projection * mean).cwiseAbs().maxCoeff() > kBalanced * scale) return std::nullopt;
+  const double scale = (R.cwiseAbs() * (R.cwiseAbs().transpose() * mean.cwiseAbs())).maxCoeff();
+  if ((R * (R.transpose() * mean)).cwiseAbs().maxCoeff() > kBalanced * scale) return std::nullopt;
   const double rate = problem.base_frequency();
-  const SparseMatrix& M = problem.mass();
-  const SparseMatrix inertia = Eigen::MatrixXd(M * Eigen::MatrixXd(projection * M)).sparseView();
+  const SparseMatrix moved = Eigen::MatrixXd(problem.mass() * R).sparseView();
+  const SparseMatrix inertia = moved * SparseMatrix(moved.transpose());
   Problem held = problem;
   held.edit_structure([&](Structure& s) {
     s.stiffness += rate * rate * inertia;

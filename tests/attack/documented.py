@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import math
 import os
 import shutil
 import signal
@@ -12,27 +13,28 @@ from generators import one_mass
 
 RUN = ["run", "quick", "--scenes", "sdof-stop", "--methods", "hat-lcp[samples=64]", "--repetitions", "1"]
 
-TWO_MASSES = """schema = 1
-name = "two-masses"
+
+def chain(masses, springs, dampers, law="[law]\nrestitution = 0.7\n", frequency=1.0):
+    """A chain loaded at its end before a stop of its first mass."""
+    return f"""schema = 1
+name = "chain"
 [system]
 kind = "chain"
-masses = [1.0, 1.0]
-springs = [1.0, 1.0, 0.0]
-dampers = [0.1, 0.1, 0.0]
+masses = {masses}
+springs = {springs}
+dampers = {dampers}
 [forcing]
-frequency = 1.0
+frequency = {frequency}
 [[forcing.term]]
-dof = 1
+dof = {len(masses) - 1}
 cos = 1.0
 [[contact]]
 dof = 0
 gap = 0.3
-[law]
-restitution = 0.7
-"""
+{law}"""
+
+
 UNDAMPED_WITH_DAMPED_STOP = one_mass(law="penalty = 50.0\ndamping = 1.0", damping=0.0)
-
-
 CONSTANT_LOAD = one_mass(law="restitution = 0.8", force="dof = 0\nharmonic = 0\ncos = 1.0\n")
 
 
@@ -57,10 +59,19 @@ def scenes_of_each_kind(folder):
         "constant load": CONSTANT_LOAD,
         "without load": one_mass(force="", damping=0.0),
         "damped stop": UNDAMPED_WITH_DAMPED_STOP,
-        "two masses": TWO_MASSES,
+        "two masses": chain([1.0, 1.0], [1.0, 1.0], [0.1, 0.1]),
+        "idle mass": chain([1.0, 1.0], [1.0, 0.0], [0.1, 0.0]),
+        "undamped resonance": chain([0.0, 1.0], [1.0, 1.0], [0.0, 0.0], law="", frequency=math.sqrt(0.5)),
+        "bouncing ball": shipped("clearance-bouncing-ball"),
+        "loose part in a box": shipped("clearance-impact-damper"),
+        "laws of two kinds": shipped("chain2-housing-and-buffer"),
+        "moving stop": shipped("rotor-moving-casing"),
+        "tube": shipped("sdnl301d"),
         "ten contacts": shipped("beam20-ten-stops"),
         "massless contact": shipped("bar10-massless"),
+        "damping ratios of modes": shipped("bar10-massless").replace("modal = 0.05", "modal = [0.0, 0.02, 1e3]"),
         "1000 coordinates": bar_of(1000),
+        "1000 coordinates, without contact": bar_of(1000).partition("[[contact]]")[0].replace('contact_mass = "massless"\n', ""),
     }
     folder.mkdir(exist_ok=True)
     for number, (kind, text) in enumerate(files.items()):
@@ -89,6 +100,7 @@ COMMANDS = {
             ["--max-branches", "1"], ["--max-points", "3"]),
     ("sweep", "SCENE", "--method", "aft-hbm", "--set", "harmonics=5", "--from", "0.9", "--to", "1.1", "--points", "3"): (
         ["--format", "json"], ["--format", "csv"], ["--back"], ["--plot", "p.svg"], ["--log"], ["--certify"], ["--hz"]),
+    ("sweep", "SCENE", "--methods", "hat-lcp:aft-hbm", "--from", "0.9", "--to", "1.1", "--total-time", "2"): (["--format", "json"], ["--plot", "p.svg"]),
     ("sweep", "SCENE", "--methods", "exact-orbit", "--parameter", "system.mass", "--from", "1", "--to", "0", "--total-time", "2"): (
         ["--format", "json"], ["--plot", "p.svg"]),
     (*SWEEP, "--second", "contact[0].gap", "--second-from", "0.2", "--second-to", "0.3"): (
@@ -120,6 +132,8 @@ def pairs(program, random, count, folder, findings):
     folder.mkdir(exist_ok=True)
     calls = list(calls_of(list(scenes_of_each_kind(folder))))
     campaign.count(program.run([*RUN, "--out", "whole"], folder, seconds=60.0))
+    for kind, file in scenes_of_each_kind(folder):  # one that is refused attacks nothing
+        campaign.judge(program.violations(campaign.count(program.run(["show", file], folder)), codes=(0,)), f"{kind}: show")
     for kind, arguments in random.sample(calls, min(count, len(calls))):
         outcome = campaign.count(program.run(arguments, folder, seconds=60.0))
         found = program.violations(outcome, codes=(0, 1, 2, 4, 6), given=" ".join(arguments).encode())

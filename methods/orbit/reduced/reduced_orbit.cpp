@@ -55,6 +55,7 @@ ReducedOrbit orbit_near(const Problem& problem, const ContactSpace& given, const
 }  // namespace
 
 std::string reduction_obstacle(const Problem& problem) {
+  if (problem.contacts.empty()) return "there is no contact whose motion it would be";
   if (std::string obstacle = march_obstacle(problem); !obstacle.empty()) return obstacle;
   const auto damping = proportional_damping(*problem.structure);
   if (!damping) return "the damping is not proportional to mass and stiffness";

@@ -12,8 +12,8 @@
 namespace signorini {
 
 /// Why the orbits of a reduced structure do not stand for those of a scene, one clause; empty if they do:
-/// only massless contacts and springs keep their law in it (march_obstacle), and the damping has to be
-/// proportional.
+/// it is of the motion of contacts, of which only massless ones and springs keep their law in it
+/// (march_obstacle), and the damping has to be proportional.
 std::string reduction_obstacle(const Problem& problem);
 
 /// Whether orbits of a scene are those of a reduced structure, corrected, rather than of a closed form of all

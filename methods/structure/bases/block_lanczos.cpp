@@ -323,6 +323,11 @@ void BlockLanczos::grow_by_left_out() {
   grow();
 }
 
+// What was left out is a small part of blocks, and yet all that there is of a structure's stiffest parts.
+void BlockLanczos::grow_to(Eigen::Index enough) {
+  while (size_ < enough && !invariant()) exhausted() ? grow_by_left_out() : grow();
+}
+
 Eigen::Index BlockLanczos::width_with_left_out() const {
   Eigen::Index width = next_.cols();
   for (const Remainder& part : left_out_) width += part.vectors.cols();

@@ -35,6 +35,9 @@ class BlockLanczos {
   /// Adds the next power and what was left out of blocks so far: it is more than rounding where one contact
   /// alone moves a stiff part of the structure. The blocks of t are not tridiagonal from then on.
   void grow_by_left_out();
+  /// Adds powers, and once there is none what was left out, until there are `enough` vectors or the space is
+  /// invariant.
+  void grow_to(Eigen::Index enough);
   /// Adds some directions of what the next power would add: those that count where X y is to be small for
   /// some y alone. The others wait beside what the new vectors lead to. The blocks of t are not tridiagonal
   /// from then on.
@@ -43,8 +46,10 @@ class BlockLanczos {
   /// Adds columns to what would come next, as far as they are P-orthogonal to it and to the space: of the
   /// next power they are no part, so the new rows of coupling() are zero. \param columns  Nd x l
   void offer(Eigen::MatrixXd columns);
-  /// True if the space is invariant under P^{-1} M to rounding: growing adds nothing.
+  /// True if no power comes next: grow() adds nothing.
   [[nodiscard]] bool exhausted() const { return next_.cols() == 0; }
+  /// True if the space is invariant under P^{-1} M to rounding: exhausted, and nothing was left out.
+  [[nodiscard]] bool invariant() const { return width_with_left_out() == 0; }
   /// Dimension of the space, without the block that would come next.
   [[nodiscard]] Eigen::Index size() const { return size_; }
   /// Vectors by which the next growth enlarges it.

@@ -120,6 +120,41 @@ TEST(CommandReduce, RefusesAListOfRatiosWhoseModesItDoesNotCount) {
   EXPECT_NE(outcome.err.find("must have one damping ratio for all modes"), std::string::npos) << outcome.err;
 }
 
+TEST(CommandReduce, WritesNoNumbersThatAreNone) {
+  const std::string scene = place("damped.toml"), out = place("damped-small.toml");
+  for (const char* ratio : {"1e100", "1e308", "1e-300"}) {
+    std::ofstream(scene) << bar_text(12, fmt::format("modal = {}", ratio));
+    const Outcome outcome = run("reduce " + scene + " --out " + out);
+    EXPECT_EQ(outcome.code, 2) << ratio;
+    EXPECT_NE(outcome.err.find("system.damping = "), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+}
+
+// The mass is on one spring while its massless neighbour moves along.
+TEST(CommandReduce, SaysWhereAnUndampedStructureResonates) {
+  const std::string scene = place("resonant.toml");
+  std::ofstream(scene) << R"(schema = 1
+name = "resonant"
+[system]
+kind = "chain"
+masses = [1.0, 0.0]
+springs = [1.0, 1.0]
+dampers = [0.0, 0.0]
+[forcing]
+frequency = 0.1
+[[forcing.term]]
+dof = 0
+cos = 1.0
+[[contact]]
+dof = 1
+gap = 0.3
+)";
+  const Outcome outcome = run("reduce " + scene + " --out " + place("resonant-small.toml"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("harmonic 10   none: it resonates undamped"), std::string::npos) << outcome.out;
+}
+
 TEST(CommandReduce, RefusesWhatItCannotReduce) {
   const Outcome rigid = run("reduce chain10-stop --out " + place("chain.toml"));
   EXPECT_EQ(rigid.code, 2);

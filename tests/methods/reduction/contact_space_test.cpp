@@ -6,6 +6,8 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "methods/reduction/principal_directions.hpp"
 #include "methods/structure/bases/ritz_reduction.hpp"
@@ -176,6 +178,56 @@ TEST(ContactSpace, MeasuresItsRounding) {
   const ContactSpace beam(test::massless_beam({.alpha = 0.2, .beta = 0.005}, 1), {});
   EXPECT_GT(beam.rounding(), bar.rounding());
   EXPECT_LT(beam.rounding(), 1e-8);
+}
+
+constexpr int kSoft = 30, kStiff = 4;
+
+/// Two chains side by side, the springs of the second a billion times stiffer; its first mode is between
+/// harmonics 2 and 3 of the load.
+Problem soft_and_stiff_chain() {
+  constexpr double kRatio = 1e9;
+  SparseMatrix mass(kSoft + kStiff, kSoft + kStiff), stiffness = mass;
+  for (int i = 0; i < kSoft + kStiff; ++i) {
+    const double spring = i < kSoft ? 1.0 : kRatio;
+    mass.insert(i, i) = 1.0 + 0.1 * i;
+    stiffness.coeffRef(i, i) += spring;
+    if (i == 0 || i == kSoft) continue;
+    stiffness.coeffRef(i - 1, i - 1) += spring;
+    stiffness.coeffRef(i, i - 1) = stiffness.coeffRef(i - 1, i) = -spring;
+  }
+  Structure chains;
+  chains.mass = mass;
+  chains.damping = combination({.alpha = 0.05, .beta = 1e-6}, mass, stiffness);
+  chains.stiffness = stiffness;
+  Problem problem;
+  problem.structure = std::make_shared<const Structure>(std::move(chains));
+  problem.frequency = 2000.0;
+  problem.force = {{kSoft - 1, 1, 0.3, 0.0}};
+  problem.contacts = {{{{kSoft - 1, 1.0}}, 0.1}, {{{kSoft + kStiff - 1, 1.0}}, 0.1}};
+  problem.set_law(Penalty{{10.0, 10.0}});
+  return problem;
+}
+
+// Beside the soft chain the stiff one is next to nothing in any block, and left out of it. The bound knows
+// that up to the first mode that it does not know, and no space is complete without the four modes, whose
+// rounding is that of the soft ones.
+TEST(ContactSpace, HoldsAPartThatIsFarStifferThanAnother) {
+  const Problem problem = soft_and_stiff_chain();
+  const double base = problem.base_frequency();
+  const Eigen::MatrixXcd force = jumping_force(4, 2), exact = whole_response(problem, force);
+  const auto error = [&](const ContactSpace& space) {
+    const Eigen::MatrixXcd found = contact_response(space.whole(), base, force);
+    return Eigen::VectorXd((found - exact).col(1).cwiseAbs());
+  };
+  const double size = exact.col(1).cwiseAbs().maxCoeff();
+  const ContactSpace soft(problem, {.small = 6, .whole = kSoft + 1});
+  EXPECT_FALSE(soft.whole().complete);
+  EXPECT_GT(error(soft).maxCoeff(), 0.1 * size);
+  EXPECT_GE((soft.bound(base, force) - error(soft)).minCoeff(), -1e-12 * size);
+  const ContactSpace both(problem, {.small = 6});
+  EXPECT_TRUE(both.whole().complete);
+  EXPECT_EQ(both.whole().vectors(), kSoft + kStiff);
+  EXPECT_LT(error(both).maxCoeff(), 1e-4 * size);
 }
 
 TEST(ContactSpace, SaysWhyThereIsNone) {

@@ -48,6 +48,25 @@ TEST(ReceptanceWithRate, AgreesWithDifferencesOnAGridOfEveryScheme) {
   }
 }
 
+TEST(ReceptanceWithRate, IsThatOfTheOthersBesideAPartThatNoContactFeels) {
+  const Problem alone = test::to_problem({.damping = 0.3, .frequency = 1.7});
+  Problem beside = alone;
+  beside.edit_structure([](Structure& s) {
+    for (SparseMatrix* A : {&s.mass, &s.damping, &s.stiffness}) A->conservativeResize(2, 2);
+    s.mass.coeffRef(1, 1) = 1.0;
+  });
+  const auto weights = [](int n) { return exact_weights(n * 1.7); };
+  const ReceptanceRate expected = receptance_with_rate(alone, 3, weights),
+                       found = receptance_with_rate(beside, 3, weights);
+  EXPECT_EQ(found.value.rigid.cols(), 0);
+  for (std::size_t n = 0; n <= 3; ++n) {
+    ASSERT_EQ(found.receptance[n].size(), 1) << n;
+    EXPECT_LT((found.value.receptance[n] - expected.value.receptance[n]).norm(), 1e-14) << n;
+    EXPECT_LT((found.receptance[n] - expected.receptance[n]).norm(), 1e-14) << n;
+  }
+  EXPECT_LT((found.free_response - expected.free_response).norm(), 1e-14);
+}
+
 // An unbalance: f = 0.4 omega^2 cos(omega t), so that x = 0.2 omega^2 / Z of each sign of n.
 TEST(ReceptanceWithRate, HasThePartOfALoadThatGrows) {
   Problem problem = test::to_problem({.damping = 0.3, .frequency = 1.7});

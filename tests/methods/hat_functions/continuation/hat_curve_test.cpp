@@ -11,6 +11,7 @@
 #include "methods/hat_functions/continuation/hat_tracer.hpp"
 #include "methods/hat_lcp/hat_lcp.hpp"
 #include "tests/support/impact_oscillator.hpp"
+#include "tests/support/loose_parts.hpp"
 
 namespace signorini::hat_curve_test {
 namespace {
@@ -148,6 +149,22 @@ TEST(HatTracer, PointsAreSolutionsOfTheComplementarityProblem) {
     }
   }
   EXPECT_GT(pressing_points, 10);
+}
+
+// Where a node joins or leaves, a motion is the same with one set and the other, its mean on no spring too.
+TEST(HatTracer, FoldsOfALooseMassAreOnItsCurve) {
+  const BranchDiagram diagram = with_samples(64).follow(over_frequency(test::gear_backlash(), 0.4, 1.2), {});
+  ASSERT_EQ(diagram.branches.size(), 1U);
+  const Branch& branch = diagram.branches.front();
+  int folds = 0;
+  for (const SpecialPoint& special : branch.special) {
+    if (special.text != "at a change of the pressing nodes") continue;
+    const SolutionPoint& before = branch.points.at(special.after - 1);
+    EXPECT_EQ(special.point.frequency, before.frequency);
+    EXPECT_NEAR(special.point.x_max[0], before.x_max[0], 1e-9);
+    ++folds;
+  }
+  EXPECT_GE(folds, 2);
 }
 
 TEST(HatTracer, LimitsAreSaid) {

@@ -113,6 +113,10 @@ TEST(ReducedOrbit, IsPreferredOfLargeStructuresAndOfManySpringsWhereItStandsForT
   Problem sprung = test::massless_beam(damping, 10);
   sprung.set_law(Penalty{std::vector<double>(10, 1e3)});
   EXPECT_EQ(prefers_reduction(sprung), reduction_obstacle(sprung).empty());
+  Problem alone = test::massless_bar(damping, kMostInDenseFlow + 1);
+  alone.contacts.clear();
+  EXPECT_FALSE(prefers_reduction(alone));
+  EXPECT_NE(ExactOrbitMethod({}).supports(alone).reason.find("there is no contact"), std::string::npos);
 }
 
 }  // namespace
