@@ -13,6 +13,12 @@ extern "C" {
 void dgesdd_(const char* job, const int* m, const int* n, double* a, const int* a_stride, double* s,
              double* u, const int* u_stride, double* vt, const int* vt_stride, double* work,
              const int* work_size, int* integers, int* info, std::size_t);
+/// Eigenvalues re + i im of A, n x n, which is lost: conjugate pairs one after the other, the one with im > 0
+/// first. Jobs 'N': no vectors. info > 0: not all of them converged.
+// NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
+void dgeev_(const char* left, const char* right, const int* n, double* a, const int* a_stride, double* re,
+            double* im, double* vl, const int* vl_stride, double* vr, const int* vr_stride, double* work,
+            const int* work_size, int* info, std::size_t, std::size_t);
 /// P A = L U, A m x n, in place; row i, from 1 on, was exchanged with row pivots[i]. info > 0: U is singular.
 // NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
 void dgetrf_(const int* m, const int* n, double* a, const int* a_stride, int* pivots, int* info);
