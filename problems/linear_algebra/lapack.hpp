@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <complex>
 #include <cstddef>
 
 extern "C" {
@@ -33,6 +34,10 @@ void dsyevd_(const char* job, const char* uplo, const int* n, double* a, const i
 void dsygvd_(const int* kind, const char* job, const char* uplo, const int* n, double* a, const int* a_stride,
              double* b, const int* b_stride, double* w, double* work, const int* work_size, int* integers,
              const int* integers_size, int* info, std::size_t, std::size_t);
+/// A X = B of complex A, n x n, and B, n x right, both lost: B becomes X. info > 0: A is singular.
+// NOLINTNEXTLINE(readability-identifier-naming): Fortran's name of it
+void zgesv_(const int* n, const int* right, std::complex<double>* a, const int* a_stride, int* pivots,
+            std::complex<double>* b, const int* b_stride, int* info);
 }
 
 namespace signorini {
@@ -42,7 +47,8 @@ namespace signorini {
 inline constexpr int kLeastForLapack = 32;
 
 /// Whether A, m x n, goes to LAPACK: large enough, and finite, for its iterations may not end on NaN.
-inline bool is_for_lapack(const Eigen::MatrixXd& A) {
+template <class Matrix>
+bool is_for_lapack(const Matrix& A) {
   return std::min(A.rows(), A.cols()) >= kLeastForLapack && A.allFinite();
 }
 
