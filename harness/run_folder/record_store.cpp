@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "harness/failure.hpp"
-#include "harness/isolation/freed_at_once.hpp"
+#include "harness/isolation/freed_after.hpp"
 #include "harness/records/record_check.hpp"
 #include "harness/records/record_json.hpp"
 #include "harness/text/json.hpp"
@@ -40,7 +40,7 @@ std::string line_of(const Record& record) { return json_line(to_json(record)); }
 
 std::uint64_t for_each_record(const fs::path& file,
                               const std::function<void(Record, const LinePlace&)>& take) {
-  const FreedAtOnce freed;
+  const FreedAfter freed(0);
   // The case of a line that holds none counts as one that has not run.
   return read_lines(
       file, [&](const Line& line) { take(parse_line(line.text), line.place); },

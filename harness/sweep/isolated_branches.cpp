@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "harness/failure.hpp"
+#include "harness/isolation/freed_after.hpp"
 #include "harness/isolation/isolation.hpp"
 #include "harness/plan/deadline.hpp"
 #include "harness/records/json_fields.hpp"
@@ -29,6 +30,8 @@ using Json = nlohmann::ordered_json;
 /// In the child: a line for each branch, then one with what else there is of the diagram, or with why the
 /// method cannot be asked.
 void send_branches(const FollowCurves& follow, CurveLimits limits, const LineSender& send) {
+  constexpr long kKept = 10000;  // ms: longer than a point of the largest structures takes
+  const FreedAfter kept(kKept);
   std::size_t sent = 0;
   limits.take = [&](const Branch& branch) {
     send(json_line(to_json(branch, "")));

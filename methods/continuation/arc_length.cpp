@@ -113,29 +113,31 @@ struct CorrectedPoint {
   int iterations = 0;
 };
 
-// Empty where the residual rises, and of equations whose unknowns are put in their places on the way.
+// From where the residual is evaluated. Empty where it does not fall fast, and of equations whose unknowns
+// are put in their places on the way.
 std::optional<CorrectedPoint> corrected_by_secants(const AnyEquations& equations,
                                                    const Eigen::VectorXd& predicted,
-                                                   const Eigen::VectorXd& tangent,
-                                                   const CorrectorLimits& limits) {
+                                                   const Eigen::VectorXd& tangent, const CurveFactors& near,
+                                                   double tolerance) {
   constexpr int kSteps = 12, kLikeOneOfNewton = 3;
+  constexpr double kFast = 0.5;  // of the residual before: slower ones cost more than a Jacobian
   Eigen::VectorXd x = predicted;
   equations.settle(x);
   if (x != predicted) return std::nullopt;
   std::vector<Eigen::VectorXd> steps;
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kSteps; ++k) {
-    if (!equations.evaluate_residual(x)) return std::nullopt;
+    if (k > 0 && !equations.evaluate_residual(x)) return std::nullopt;
     const double residual = equations.residual().lpNorm<Eigen::Infinity>();
     const double last = steps.empty() ? 1.0 : steps.back().lpNorm<Eigen::Infinity>();
-    if (solved(equations, limits.tolerance, size_of(x),
+    if (solved(equations, tolerance, size_of(x),
                {.residual = residual, .before = before, .step = last, .steps = k})) {
       if (!equations.evaluate(x)) return std::nullopt;
       return CorrectedPoint{std::move(x), (k + kLikeOneOfNewton - 1) / kLikeOneOfNewton};
     }
-    if (!(residual < before)) return std::nullopt;
+    if (!(residual < kFast * before)) return std::nullopt;
     before = residual;
-    Eigen::VectorXd step = secant_step(*limits.near, equations.residual(), tangent, steps);
+    Eigen::VectorXd step = secant_step(near, equations.residual(), tangent, steps);
     if (!step.allFinite()) return std::nullopt;
     x += step;
     steps.push_back(std::move(step));
@@ -146,8 +148,17 @@ std::optional<CorrectedPoint> corrected_by_secants(const AnyEquations& equations
 std::optional<CorrectedPoint> corrected(const AnyEquations& equations, const Eigen::VectorXd& predicted,
                                         const Eigen::VectorXd& tangent, const CorrectorLimits& limits) {
   constexpr double kLost = 1e3;  // of R
-  if (limits.near != nullptr) {
-    if (auto point = corrected_by_secants(equations, predicted, tangent, limits)) return point;
+  const auto by_secants = [&](const CurveFactors& near) {
+    return corrected_by_secants(equations, predicted, tangent, near, limits.tolerance);
+  };
+  if (limits.near != nullptr && equations.evaluate_residual(predicted)) {
+    if (auto point = by_secants(*limits.near)) return point;
+    // Fast modes may turn by radians to a point near, and hardly on the way from what is predicted.
+    if (equations.evaluate(predicted)) {
+      auto point = by_secants(CurveFactors(equations, tangent));
+      if (point) ++point->iterations;
+      if (point) return point;
+    }
   }
   Eigen::VectorXd x = predicted, step = Eigen::VectorXd::Ones(x.size());
   double before = std::numeric_limits<double>::infinity();
@@ -284,10 +295,14 @@ std::optional<double> locate(const AnyEquations& equations, const CurveStep& ste
   constexpr int kHalvings = 50, kIterations = 200;
   constexpr double kZero = 2e-15;                                           // of f
   constexpr double kNarrow = 4.0 * std::numeric_limits<double>::epsilon();  // of the step
+  std::optional<CurveFactors> near;                                         // of the first point
   PointsOfStep points(step);
   const auto value = [&](double length) -> std::optional<double> {
-    const auto point = corrected(equations, points.at(length), step.tangent, kTight);
+    CorrectorLimits limits = kTight;
+    limits.near = near ? &*near : nullptr;
+    const auto point = corrected(equations, points.at(length), step.tangent, limits);
     if (!point) return std::nullopt;
+    if (!near && step.by_secants) near.emplace(equations, step.tangent);
     if (first) points.add(length, point->x);  // none while it is not known whether f exists
     return f(point->x);
   };

@@ -98,8 +98,9 @@ class CurveFactors {
 struct CorrectorLimits {
   int iterations = 7;        ///< Newton steps at most
   double tolerance = 2e-13;  ///< of R, relative to the largest unknown [-]
-  /// Of a point near the one wanted: equations are solved by Broyden's method from its Jacobian, and by
-  /// Newton's where that fails. One Jacobian per point in place of three.
+  /// Of a point near the one wanted: equations are solved by Broyden's method from its Jacobian, where the
+  /// residual does not fall fast from that at the predicted point, and by Newton's where both fail. One or
+  /// two Jacobians per point in place of three.
   const CurveFactors* near = nullptr;
 };
 
@@ -191,6 +192,9 @@ bool turns_past(const std::vector<double>& values, double low, double high, cons
 struct CurveStep {
   Eigen::VectorXd x, tangent;
   double length = 0.0;  ///< along the tangent
+  /// Whether `locate` finds its points by secants from the Jacobian at the first of them: where R alone is
+  /// much cheaper, no conditions are held, and nothing begins at x.
+  bool by_secants = false;
 };
 
 /// The zero of f between the beginning of a step, where it has the value `first`, and its end, where it is

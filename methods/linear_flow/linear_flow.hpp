@@ -159,7 +159,8 @@ inline constexpr int kMostInDenseFlow = 300;
 
 class SharedModes;
 
-/// The flow of a mode. \throws std::runtime_error if the structure has more coordinates than kMostInDenseFlow
+/// The flow of a mode. \throws std::runtime_error if the structure has more coordinates than `shared` is for,
+/// without it kMostInDenseFlow
 /// \param shared  where its complex modes may be known from another scene; empty: nowhere
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
                                               FlowForm form = FlowForm::automatic,

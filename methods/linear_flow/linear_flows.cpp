@@ -67,9 +67,10 @@ Eigen::VectorXd LinearArc::derivative_of_u(double time, int order) const {
 
 std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, ContactMode mode,
                                               FlowForm form, const std::shared_ptr<SharedModes>& shared) {
-  if (dynamics.size() > kMostInDenseFlow) {
+  const int most = shared ? shared->most() : kMostInDenseFlow;
+  if (dynamics.size() > most) {
     throw std::runtime_error("the closed-form flow is dense: " + std::to_string(dynamics.size()) +
-                             " coordinates are more than " + std::to_string(kMostInDenseFlow));
+                             " coordinates are more than " + std::to_string(most));
   }
   ModeEquations equations(dynamics, std::move(mode));
   if (form == FlowForm::automatic) {

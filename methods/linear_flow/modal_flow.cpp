@@ -70,14 +70,18 @@ TransitionFactors ModalFlow::transition_factors(double duration) const {
     const bool pair = mu()[k].imag() > 0.0;
     for (Eigen::Index i = 0; i < states(); ++i) {
       const Complex position = growth * basis_->shapes(i < positions() ? i : i - positions(), k);
-      const Complex written = i < positions() ? position : mu()[k] * position, read = basis_->left(k, i);
+      const Complex written = i < positions() ? position : mu()[k] * position;
       factors.writing(i, c) = written.real();
-      factors.reading(c, i) = read.real();
-      if (!pair) continue;
-      factors.writing(i, c + 1) = -written.imag();
-      factors.reading(c + 1, i) = read.imag();
+      if (pair) factors.writing(i, c + 1) = -written.imag();
     }
     c += pair ? 2 : 1;
+  }
+  for (Eigen::Index i = 0; i < states(); ++i) {  // column by column, as they lie in memory
+    double* read = factors.reading.col(i).data();
+    for (const Eigen::Index k : alive) {
+      *read++ = basis_->left(k, i).real();
+      if (mu()[k].imag() > 0.0) *read++ = basis_->left(k, i).imag();
+    }
   }
   return factors;
 }

@@ -15,6 +15,8 @@ bool equal_matrices(const Matrix& a, const Matrix& b) {
 }  // namespace
 
 std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations) {
+  Entry& entry = entries_[equations.mode.active];
+  if (entry.factors == equations.structure().factors) return entry.modes;  // nothing needs to be compared
   const FreeForm& form = equations.form;
   const SparseMatrix& mass = equations.structure().mass;
   const Eigen::MatrixXd times = form.relaxing.times;
@@ -23,13 +25,14 @@ std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations
   const auto equal = [](const Eigen::MatrixXd& kept, const Eigen::MatrixXd* now) {
     return equal_matrices(kept, *now);
   };
-  Entry& entry = entries_[equations.mode.active];
-  if (std::ranges::equal(entry.others, others, equal) && equal_matrices(entry.mass, mass)) return entry.modes;
-  ++found_;
-  entry.mass = mass;
-  entry.others.clear();
-  for (const Eigen::MatrixXd* matrix : others) entry.others.push_back(*matrix);
-  entry.modes = modal_basis(equations);
+  if (!std::ranges::equal(entry.others, others, equal) || !equal_matrices(entry.mass, mass)) {
+    ++found_;
+    entry.modes = modal_basis(equations);
+    entry.mass = mass;
+    entry.others.clear();
+    for (const Eigen::MatrixXd* matrix : others) entry.others.push_back(*matrix);
+  }
+  entry.factors = equations.structure().factors;
   return entry.modes;
 }
 

@@ -73,7 +73,7 @@ void OrbitEquations::carry(Eigen::Index i, double duration) {
     sensitivity_.leftCols(known) = product(flow.transition(duration), sensitivity_.leftCols(known));
     return;
   }
-  const TransitionFactors factors = flow.transition_factors(duration);
+  TransitionFactors factors = flow.transition_factors(duration);
   if (i > 0) {
     sensitivity_.leftCols(known) =
         product(factors.writing, product(factors.reading, sensitivity_.leftCols(known)));
@@ -81,7 +81,7 @@ void OrbitEquations::carry(Eigen::Index i, double duration) {
   }
   of_state_ = factors.writing.cols();
   sensitivity_.leftCols(of_state_) = factors.writing;
-  reading_ = factors.reading;
+  reading_ = std::move(factors.reading);
   reading_.leftCols(p_) *= x_unit_;
   reading_.rightCols(n_) *= v_unit_;
 }

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
+
+#include "problems/linear_algebra/lapack.hpp"
 
 namespace signorini {
 
@@ -46,7 +49,16 @@ Eigen::MatrixXcd CompleteComplexLuFactors::inverse() const { return lu_.inverse(
 double CompleteComplexLuFactors::reciprocal_condition() const { return lu_.rcond(); }
 
 Eigen::VectorXcd lu_solve(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b) {
-  return ComplexLuFactors(A).solve(b);
+  if (!is_for_lapack(A)) return ComplexLuFactors(A).solve(b);
+  constexpr int kOne = 1;
+  const auto n = static_cast<int>(A.rows());
+  Eigen::MatrixXcd factors = A;
+  Eigen::VectorXcd x = b;
+  Eigen::VectorXi pivots(n);
+  int info = 0;
+  zgesv_(&n, &kOne, factors.data(), &n, pivots.data(), x.data(), &n, &info);
+  if (info != 0) x.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return x;
 }
 
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& A) { return ComplexLuFactors(A).inverse(); }

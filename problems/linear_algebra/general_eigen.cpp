@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "problems/linear_algebra/lapack.hpp"
 #include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
@@ -24,6 +25,23 @@ GeneralEigen general_pairs(const Eigen::MatrixXd& A, bool with_vectors) {
   GeneralEigen found{.converged = true, .values = solver.eigenvalues(), .vectors = {}};
   if (with_vectors) found.vectors = solver.eigenvectors();
   return found;
+}
+
+// The eigenvalues alone.
+GeneralEigen found_by_lapack(Eigen::MatrixXd A) {
+  constexpr char kNone = 'N';
+  const auto n = static_cast<int>(A.rows());
+  Eigen::VectorXd re(n), im(n);
+  int info = 0;
+  const auto solve = [&](double* work, int size) {
+    dgeev_(&kNone, &kNone, &n, A.data(), &n, re.data(), im.data(), nullptr, &n, nullptr, &n, work, &size,
+           &info, 1, 1);
+  };
+  double best = 0.0;
+  solve(&best, -1);
+  std::vector<double> work(static_cast<std::size_t>(best));
+  solve(work.data(), static_cast<int>(work.size()));
+  return {.converged = info == 0, .values = re + Complex(0.0, 1.0) * im, .vectors = {}};
 }
 
 // Orthonormal columns Q, and A Q.
@@ -113,7 +131,7 @@ GeneralEigen general_eigen(const Eigen::MatrixXd& A) { return general_pairs(A, t
 
 Eigen::VectorXcd general_eigenvalues(const Eigen::MatrixXd& A) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const GeneralEigen found = general_pairs(A, false);
+  const GeneralEigen found = is_for_lapack(A) ? found_by_lapack(A) : general_pairs(A, false);
   return found.converged ? found.values : Eigen::VectorXcd::Constant(A.rows(), Complex(kNone, kNone));
 }
 

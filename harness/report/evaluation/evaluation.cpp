@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "harness/isolation/freed_at_once.hpp"
+#include "harness/isolation/freed_after.hpp"
 #include "harness/report/evaluation/case_result.hpp"
 #include "harness/run_folder/machine_load.hpp"
 #include "harness/run_folder/manifest_check.hpp"
@@ -132,7 +132,7 @@ std::size_t Evaluation::place_of(const std::string& configuration) const {
 }
 
 Evaluation evaluation_of_run(const std::filesystem::path& folder, const Limits& limits) {
-  const FreedAtOnce freed;
+  const FreedAfter freed(0);
   CaseResults results;
   std::vector<LinePlace> places;
   {

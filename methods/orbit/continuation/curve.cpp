@@ -114,6 +114,7 @@ std::optional<std::pair<Station, double>> along_ending_phase(const ExtendedEquat
   if (along.size() == 0) return std::nullopt;
   Station steered = here;
   steered.tangent = along.normalized();
+  steered.factors.reset();
   for (TrackedGuard& guard : steered.tracked) guard.rate /= steered.tangent.dot(here.tangent);
   return std::pair(std::move(steered), kBeyond * shortest / along.norm());
 }
@@ -171,9 +172,10 @@ std::shared_ptr<const CurveFactors> factors_at(ExtendedEquations& equations, con
   return std::make_shared<const CurveFactors>(equations, row);
 }
 
-// All multipliers where a step ends at a value asked for, and every so many points.
+// All multipliers where a step ends at a value asked for, and every so many points: they cost what some ten
+// other points do.
 MultiplierRange range_at(std::size_t points, bool asked) {
-  constexpr std::size_t kBetween = 16;
+  constexpr std::size_t kBetween = 64;
   return asked || points % kBetween == 0 ? MultiplierRange::all : MultiplierRange::leading;
 }
 
@@ -207,7 +209,9 @@ class Tracer {
   }
 
  private:
-  [[nodiscard]] CurveStep whole_step() const { return {here_.x, here_.tangent, step_}; }
+  [[nodiscard]] CurveStep whole_step() const {
+    return {here_.x, here_.tangent, step_, here_.factors != nullptr};
+  }
   void append() {
     result_.branch.points.push_back(solution_point(*equations_, here_, limits_.phases));
     result_.branch.orbits.push_back(orbit_at(*equations_));
@@ -254,7 +258,7 @@ class Tracer {
   }
 
   bool move_to(double length) {
-    if (!correct(*equations_, here_.x + length * here_.tangent, here_.tangent, kTight)) return false;
+    if (!move_along(*equations_, here_, length, kTight)) return false;
     here_ = station_at(*equations_, here_.tangent);
     append();
     return true;
@@ -310,9 +314,8 @@ class Tracer {
   void go_on_with(OtherUnknowns other) {
     if (!other.obstacle.empty()) return finish(std::move(other.obstacle));
     equations_ = std::move(other.equations);
-    near_.reset();
     if (before_) before_->tests.values = {};  // of other unknowns; multipliers are the orbit's
-    here_ = station_at(*equations_, other.tangent);
+    here_ = station_at(*equations_, other.tangent, MultiplierRange::leading);
     half_way_ = half_way(*equations_);
   }
 
@@ -322,7 +325,6 @@ class Tracer {
   const CurveStart& start_;
   std::unique_ptr<ExtendedEquations> equations_;
   Station here_;
-  std::shared_ptr<const CurveFactors> near_;  // of the equations at here_, or next to it
   std::optional<TestsBefore> before_;
   Eigen::VectorXd half_way_;     // at here_
   double step_, planned_ = 0.0;  // the latter of a step that ended at a value asked for
@@ -338,7 +340,7 @@ void Tracer::advance() {
   if (limits_.expired()) return finish("the time is up");
   if (step_ < kOrbitSteps.shortest && !unsteered_) return finish("the corrector fails");
   auto iterations =
-      correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = near_.get()});
+      correct(*equations_, here_.x + step_ * here_.tangent, here_.tangent, {.near = here_.factors.get()});
   const bool lands = !iterations && (iterations = followed_.land(*equations_, here_.x, here_.tangent, step_));
   if (!iterations) return shorten(0.4);
   if (clearance_of_section(equations_->orbit()) <= 0.0) return shorten(0.5);
@@ -351,14 +353,14 @@ void Tracer::advance() {
   if (!tangent || (turned && step_ > kOrbitSteps.any_turn)) return shorten(0.5);
   if (step_ > kShortestTurn && followed_.turns(limits_.at, *equations_, whole_step(), *tangent))
     return shorten(0.5);
-  Station next = station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands),
-                            factors.get());
+  Station next =
+      station_at(*equations_, *tangent, range_at(result_.branch.points.size(), target || lands), factors);
   if (rejects(next)) return reject();
   if (leaves_out_too_much(*equations_))
     return step_ > kOrbitSteps.any_turn ? shorten(0.5) : finish(kChatterLimit);
   const auto [crossing, unseen] = cut_at_violation(*equations_, here_, step_, next);
   if (crossing && rejects(next)) return reject();
-  if (unseen && (step_ > kOrbitSteps.any_turn || (violates(next) && !crossing))) return shorten(0.5);
+  if (unseen && (step_ > kOrbitSteps.any_turn || (violates(next.survey) && !crossing))) return shorten(0.5);
   if (unseen) note("whether a contact passes its stop between two points is not decided");
   const auto halved = half_period_on_step(*equations_, whole_step(), half_way_);
   if (halved && *halved == 0.0 && step_ > kOrbitSteps.any_turn) return shorten(0.5);  // to end nearer to it
@@ -378,7 +380,7 @@ void Tracer::advance() {
   if (start_.leaves == LeftBranch::none && travelled_ > kAway &&
       passes(*equations_, here_.x, next.x, start_.orbit))
     return close();
-  near_ = factors;
+  next.factors = factors;
   accept(std::move(next), *iterations);
   if (beyond && !done_) finish(std::string(kEndOfInterval));
 }

@@ -200,7 +200,7 @@ class DiagramTracer {
     ExtendedEquations equations(family_, orbit);
     if (!equations.evaluate(orbit.x) || is_known(equations)) return;
     const Eigen::VectorXd tangent = first_tangent(equations);
-    if (violates(station_at(equations, tangent))) return;  // no motion of the scene
+    if (violates(survey(equations))) return;  // no motion of the scene
     const auto half = [&](double sign) {
       const CurveStart start{.orbit = orbit, .tangent = sign * tangent, .origin = origin};
       return trace_curve(family_, in_order_along(family_, start), limits_, energies_);

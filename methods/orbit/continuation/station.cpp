@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -15,11 +16,12 @@
 namespace signorini {
 
 Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent, MultiplierRange range,
-                   const CurveFactors* factors) {
+                   std::shared_ptr<const CurveFactors> factors) {
   return {.x = equations.orbit().x,
           .tangent = tangent,
-          .tests = bifurcation_tests(equations, tangent, range, factors),
-          .survey = survey(equations)};
+          .tests = bifurcation_tests(equations, tangent, range, factors.get()),
+          .survey = survey(equations),
+          .factors = std::move(factors)};
 }
 
 namespace {
@@ -101,9 +103,37 @@ bool follows_from_release(const OrbitGuard& guard, const Station& station, const
 
 }  // namespace
 
-bool violates(const Station& station) {
-  return std::ranges::any_of(station.survey.guards,
-                             [](const OrbitGuard& guard) { return guard.value < kViolated; });
+bool violates(const OrbitSurvey& survey) {
+  return std::ranges::any_of(survey.guards, [](const OrbitGuard& guard) { return guard.value < kViolated; });
+}
+
+namespace {
+
+// A step from a station, with secants where that has factors.
+CurveStep step_from(const Station& begin, double length) {
+  return {.x = begin.x, .tangent = begin.tangent, .length = length, .by_secants = begin.factors != nullptr};
+}
+
+// For functions of the motion alone: where secants do, the Jacobian is evaluated where it is asked for.
+AnyEquations by_motions(ExtendedEquations& equations, const Station& begin) {
+  AnyEquations result(equations);
+  if (begin.factors == nullptr) return result;
+  result.evaluate = [&equations](const Eigen::VectorXd& x) { return equations.evaluate_motion(x); };
+  result.jacobian = [&equations]() -> Eigen::MatrixXd {
+    const Eigen::VectorXd x = equations.orbit().x;
+    if (equations.evaluate(x)) return equations.jacobian();
+    return Eigen::MatrixXd::Constant(x.size() - 1, x.size(), std::numeric_limits<double>::quiet_NaN());
+  };
+  return result;
+}
+
+}  // namespace
+
+bool move_along(ExtendedEquations& equations, const Station& begin, double length,
+                const CorrectorLimits& limits) {
+  CorrectorLimits along = limits;
+  along.near = begin.factors.get();
+  return correct(equations, begin.x + length * begin.tangent, begin.tangent, along).has_value();
 }
 
 std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const Station& begin, double length,
@@ -113,17 +143,20 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
   for (const OrbitGuard& guard : end.survey.guards) {
     if (guard.value >= kViolated || follows_from_release(guard, end, equations.orbit())) continue;
     const OrbitGuard* before = begin.survey.find(guard.kind, guard.index);
-    const auto value = [&](ExtendedEquations& at) { return guard_value(at, guard.kind, guard.index); };
+    const auto value = [&](const Eigen::VectorXd&) {
+      return guard_value(equations, guard.kind, guard.index);
+    };
     // Where another one is zero this one still holds: it comes later. Where a contact with a damped stop
     // fades those passages clear it by the square of the way that do not touch it: to rounding.
     const ContactDynamics& dynamics = equations.model().dynamics;
     const bool squared =
         guard.kind == GuardKind::clearance && dynamics.halts(guard.index) && !dynamics.rigid(guard.index);
-    if (first && value(equations).value_or(0.0) > (squared ? kViolated : 0.0)) continue;
+    if (first && value({}).value_or(0.0) > (squared ? kViolated : 0.0)) continue;
     // What had no maximum before, or is no larger than rounding, gets its sign inside the step.
     const bool positive = before != nullptr && before->value > 0.0;
-    const auto zero = locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value,
-                             positive ? std::optional(before->value) : std::nullopt, guard.value);
+    const auto zero =
+        locate(AnyEquations(equations), {.x = begin.x, .tangent = begin.tangent, .length = length}, value,
+               positive ? std::optional(before->value) : std::nullopt, guard.value);
     if (!zero) return std::nullopt;
     // An impact that fades leaves a maximum of x at its instant: events, which are listed first, have
     // priority.
@@ -160,13 +193,16 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
     const bool determinant = kind == SpecialKind::branch_point || kind == SpecialKind::period_doubling;
     const double least = std::max(std::abs(*before), std::abs(*after)) / kUnscaled;
     const double unit = determinant ? std::min(1.0, least) : 1.0;
-    const auto value = [&](ExtendedEquations& at) -> std::optional<double> {
-      const auto tangent = tangent_of(at, begin.tangent);
-      const auto test = tangent ? bifurcation_test(at, *tangent, kind) : std::nullopt;
+    const bool of_load = kind == SpecialKind::phase_resonance;
+    const bool untangent = of_load && begin.factors != nullptr;
+    const auto value = [&](const Eigen::VectorXd&) -> std::optional<double> {
+      const auto tangent = untangent ? std::optional(begin.tangent) : tangent_of(equations, begin.tangent);
+      const auto test = tangent ? bifurcation_test(equations, *tangent, kind) : std::nullopt;
       return test ? std::optional(*test / unit) : std::nullopt;
     };
-    auto zero = locate(equations, {.x = begin.x, .tangent = begin.tangent, .length = length}, value,
-                       *before / unit, *after / unit);
+    auto zero = locate(of_load ? by_motions(equations, begin) : AnyEquations(equations),
+                       step_from(begin, length), value, *before / unit, *after / unit);
+    if (zero && !equations.evaluate(Eigen::VectorXd(equations.orbit().x))) zero.reset();
     Eigen::VectorXd across;
     if (zero && kind == SpecialKind::branch_point) {
       // On the curve's own equations it is known to the root of rounding.
@@ -179,7 +215,6 @@ StepBifurcations changes_of_sign(ExtendedEquations& equations, const Station& be
     }
     if (!zero) result.undecided = true;
     if (!zero || *zero > inside) continue;
-    const bool of_load = kind == SpecialKind::phase_resonance;
     if (of_load && !falls_with_frequency(equations, begin.tangent, *after - *before)) continue;
     const Station there = station_at(equations, begin.tangent);
     const bool energy_turns = kind == SpecialKind::fold && !equations.family().driven();
@@ -205,10 +240,9 @@ StepBifurcations bifurcations(ExtendedEquations& equations, const Station& begin
   std::vector<LocatedBifurcation>& found = result.found;
   constexpr double kBefore = 0.999;  // of the part that counts
   const double shorter = kBefore * inside;
-  const bool corrected =
-      inside < length && correct(equations, begin.x + shorter * begin.tangent, begin.tangent).has_value();
+  const bool corrected = inside < length && move_along(equations, begin, shorter);
   if (const auto tangent = corrected ? tangent_of(equations, begin.tangent) : std::nullopt) {
-    const Station before = station_at(equations, *tangent);
+    const Station before = station_at(equations, *tangent, MultiplierRange::leading);
     StepBifurcations others = changes_of_sign(equations, begin, shorter, before, shorter);
     for (LocatedBifurcation& other : others.found) {
       const SpecialKind kind = other.special.kind;
@@ -221,7 +255,7 @@ StepBifurcations bifurcations(ExtendedEquations& equations, const Station& begin
 }
 
 std::optional<Station> guards_at(ExtendedEquations& equations, const Station& begin, double length) {
-  if (!correct(equations, begin.x + length * begin.tangent, begin.tangent, kTight)) return std::nullopt;
+  if (!move_along(equations, begin, length, kTight)) return std::nullopt;
   const auto tangent = tangent_of(equations, begin.tangent);
   if (!tangent) return std::nullopt;
   std::optional<Station> station(std::in_place);
@@ -305,8 +339,9 @@ class DipSearch {
       result_.undecided = true;
       return;
     }
-    if (violates(*between)) {
-      result_.found = {.length = length, .station = station_at(equations_, between->tangent)};
+    if (violates(between->survey)) {
+      result_.found = {.length = length,
+                       .station = station_at(equations_, between->tangent, MultiplierRange::leading)};
       return;
     }
     const End middle{.length = length, .station = &*between};
@@ -330,7 +365,7 @@ HiddenViolation hidden_violation(ExtendedEquations& equations, Station& begin, d
 StepEnd cut_at_violation(ExtendedEquations& equations, Station& begin, double& length, Station& end) {
   constexpr int kTimes = 8;  // a zero before the dip that was found
   StepEnd result;
-  bool cut = violates(end);
+  bool cut = violates(end.survey);
   for (int k = 0; k <= kTimes; ++k) {
     if (cut) {
       result.crossing = first_crossing(equations, begin, length, end);

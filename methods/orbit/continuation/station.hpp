@@ -2,6 +2,7 @@
 // All that is known of one point of a curve, and what lies on the step between two of them.
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,11 +18,19 @@ struct Station {
   BifurcationTests tests = {};             ///< there
   OrbitSurvey survey = {};                 ///< there
   std::vector<TrackedGuard> tracked = {};  ///< there, once `hidden_violation` has asked for them
+  /// Of the equations there or next to it, if they are many: points near are then found by secants.
+  std::shared_ptr<const CurveFactors> factors = {};
 };
 
 /// The orbit at which the equations are evaluated; range and factors as of bifurcation_tests.
 Station station_at(ExtendedEquations& equations, const Eigen::VectorXd& tangent,
-                   MultiplierRange range = MultiplierRange::all, const CurveFactors* factors = nullptr);
+                   MultiplierRange range = MultiplierRange::all,
+                   std::shared_ptr<const CurveFactors> factors = {});
+
+/// Evaluates the equations at the point of a step from a station at a length, by secants where the station
+/// has factors; false where the corrector fails.
+bool move_along(ExtendedEquations& equations, const Station& begin, double length,
+                const CorrectorLimits& limits = {});
 
 /// The same as a point of a branch, in SI units. \param phases  of a forcing period at which it keeps its
 /// motion
@@ -48,8 +57,8 @@ struct LocatedBifurcation {
   Eigen::VectorXd across = {};  ///< of a branch point: unit tangent of the other curve through it
 };
 
-/// Whether a guard is negative at a station.
-bool violates(const Station& station);
+/// Whether a guard is negative.
+bool violates(const OrbitSurvey& survey);
 
 /// The first zero of those guards that are negative at the end of a step of given length, located to
 /// round-off; empty where one of them cannot be located. Precondition: there is one.

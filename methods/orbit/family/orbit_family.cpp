@@ -29,8 +29,8 @@ std::string free_motion_obstacle(const Problem& problem) {
 }  // namespace
 
 std::string continuation_obstacle(const Problem& problem) {
-  if (problem.size() > kMostInDenseFlow)
-    return fmt::format("{} coordinates are more than {}", problem.size(), kMostInDenseFlow);
+  if (problem.size() > kMostAlongCurves)
+    return fmt::format("{} coordinates are more than {}", problem.size(), kMostAlongCurves);
   const bool loses =
       problem.damping().norm() > 0.0 || std::ranges::any_of(problem.contacts, [](const Contact& contact) {
         const auto* law = std::get_if<Restitution>(&contact.law);

@@ -37,7 +37,7 @@ class OrbitFamily {
   explicit OrbitFamily(ParametrisedScene scene);
   /// The same with units of another family, and modes that other scenes have found.
   OrbitFamily(ParametrisedScene scene, const CurveUnits& units,
-              std::shared_ptr<SharedModes> modes = std::make_shared<SharedModes>());
+              std::shared_ptr<SharedModes> modes = std::make_shared<SharedModes>(kMostAlongCurves));
 
   /// The scene at a value of the parameter. Its last few models are kept. \throws std::runtime_error
   std::shared_ptr<OrbitModel> model(double parameter);

@@ -200,6 +200,26 @@ TEST(ArcLength, NewtonGoesOnWhereSecantsFail) {
   EXPECT_LT((chain.x() - chain.solution(0.9)).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
+TEST(ArcLength, LocatesOnManyEquationsBySecantsFromTheFirstPoint) {
+  constexpr double kLength = 6.0;  // p rises by .7
+  LongChain chain(80);
+  const Eigen::VectorXd begin = chain.solution(0.4), there = chain.solution(0.9);
+  ASSERT_TRUE(chain.evaluate(begin));
+  const Eigen::VectorXd tangent = first_tangent(chain, true);
+  ASSERT_TRUE(correct(chain, Eigen::VectorXd(begin + kLength * tangent), tangent));
+  int evaluations = 0;
+  const auto beyond = [&](LongChain& at) {
+    ++evaluations;
+    return std::optional(at.x()[0] - there[0]);
+  };
+  const double last = chain.x()[0] - there[0];
+  chain.jacobians = 0;
+  ASSERT_TRUE(locate(chain, {begin, tangent, kLength, true}, beyond, begin[0] - there[0], last));
+  EXPECT_LT((chain.x() - there).lpNorm<Eigen::Infinity>(), 1e-13);
+  EXPECT_GT(evaluations, 3);
+  EXPECT_LE(chain.jacobians, evaluations + 5) << "more than one a point, where Newton's steps led to it";
+}
+
 TEST(ArcLength, StepsGrowWithEaseAndNeverBeyondTheLargest) {
   EXPECT_GT(next_step(0.01, 2, 0.0, 1.0), 0.01);
   EXPECT_LT(next_step(0.01, 6, 0.0, 1.0), 0.01);

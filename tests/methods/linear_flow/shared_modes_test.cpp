@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "tests/support/exact_scenes.hpp"
 
@@ -51,6 +52,30 @@ TEST(SharedModes, AreFoundOnceWhereTheStructureStays) {
   EXPECT_EQ(found_after([](Problem& chain) { chain.frequency *= 1.7; }), 2);
   EXPECT_EQ(found_after([](Problem& chain) { chain.force[0].cos *= 3.0; }), 2);
   EXPECT_EQ(found_after([](Problem& chain) { chain.contacts[2].gap += 0.3; }), 2);
+}
+
+TEST(SharedModes, ServeASceneAtAnotherFrequency) {
+  const Problem chain = test::stopped_chain(3, 0.0, 3);
+  Problem faster = chain;
+  faster.frequency *= 1.7;
+  const auto shared = std::make_shared<SharedModes>();
+  const ContactDynamics first(chain), second(first, faster.frequency), apart(faster);
+  LinearFlows known(first, FlowForm::automatic, shared), with(second, FlowForm::automatic, shared),
+      own(apart);
+  for (const auto& closed : {kOpen, kClosed, kOpen}) {
+    (void)known.of(closed);
+    EXPECT_LT(difference(with.of(closed), own.of(closed)), 1e-13);
+  }
+  EXPECT_EQ(shared->found(), 2);
+}
+
+TEST(SharedModes, AreForFlowsOfSoManyCoordinates) {
+  const ContactDynamics three(test::stopped_chain(3, 0.0, 3));
+  const auto flow = [&](int most) {
+    return linear_flow(three, three.mode(kOpen), FlowForm::automatic, std::make_shared<SharedModes>(most));
+  };
+  EXPECT_EQ(flow(3)->size(), 3);
+  EXPECT_THROW(flow(2), std::runtime_error);
 }
 
 TEST(SharedModes, AreFoundAnewForAnotherStructure) {

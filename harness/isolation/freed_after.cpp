@@ -1,4 +1,4 @@
-#include "harness/isolation/freed_at_once.hpp"
+#include "harness/isolation/freed_after.hpp"
 
 #include <dlfcn.h>
 #include <mimalloc.h>
@@ -23,12 +23,12 @@ void set_delay(long milliseconds) {
 
 }  // namespace
 
-FreedAtOnce::FreedAtOnce() {
+FreedAfter::FreedAfter(long milliseconds) {
   if (const auto get = function_of_allocator<long(mi_option_t)>("mi_option_get"); get != nullptr)
     before_ = get(kDelay);
-  set_delay(0);
+  set_delay(milliseconds);
 }
 
-FreedAtOnce::~FreedAtOnce() { set_delay(before_); }
+FreedAfter::~FreedAfter() { set_delay(before_); }
 
 }  // namespace signorini
