@@ -149,6 +149,28 @@ class Surveyor {
       const double end = equations_.time_of(i == m ? orbit_.end() : orbit_.phase(i));
       arc(i, contact, begin, end);
     }
+    at_section(contact);
+  }
+
+  // x_j - g_j over X, or lambda_j over its scale.
+  [[nodiscard]] LimitedOutput output(const LinearArc& arc, int j, bool of_force) const {
+    return {.arc = arc,
+            .contact = j,
+            .of_force = of_force,
+            .offset = of_force ? 0.0 : dynamics_.structure().gaps[j],
+            .unit = of_force ? dynamics_.force_scale(j) : X_};
+  }
+
+  // A maximum right at the section, as of motions that run backwards as they run forwards, is inside no arc.
+  void at_section(int j) {
+    const LinearArc& first = equations_.arc(0);
+    const bool closed = first.mode().closed(j);
+    const LimitedOutput after = output(first, j, closed);
+    const LimitedOutput before = output(equations_.arc(orbit_.count()), j, closed);
+    const double begin = equations_.time_of(0.0);
+    const bool rises = before.value(equations_.time_of(orbit_.end()), 1) >= 0.0;
+    if (rises && after.value(begin, 1) <= 0.0 && after.value(begin, 2) < 0.0)
+      lower(closed ? GuardKind::pressure : GuardKind::clearance, j, -after.value(begin, 0), 0.0, 0);
   }
 
   // Whether contact j rests on its stop where a part begins, let go by an opening or by an impact without
@@ -166,7 +188,7 @@ class Surveyor {
     const std::vector<FadingRate> terms = arc.fading_rates(kOrbitRounding);  // less moves no extreme
     const bool closed = arc.mode().closed(j);
     const double gap = dynamics_.structure().gaps[j];
-    const LimitedOutput x{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
+    const LimitedOutput x = output(arc, j, false);
     constexpr double kBeside = 1e-4;  // rad
     const double resting = leaves_rest(part, j) ? begin + kBeside / equations_.frequency() : begin;
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
@@ -176,8 +198,7 @@ class Surveyor {
         lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time), part);
     }
     if (!closed) return;
-    const LimitedOutput force{
-        .arc = arc, .contact = j, .of_force = true, .offset = 0.0, .unit = dynamics_.force_scale(j)};
+    const LimitedOutput force = output(arc, j, true);
     for (const LimitedSample& at : extremes(force, begin, end, terms)) {
       if (at.maximum) lower(GuardKind::pressure, j, -at.value, equations_.phase_of(at.time), part);
     }
