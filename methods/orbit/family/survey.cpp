@@ -18,6 +18,16 @@ bool keeps_none(const SequenceEvent& event) {
   return std::ranges::find(event.restitution, 0.0) != event.restitution.end();
 }
 
+// x_j - g_j over X, or lambda_j over its scale.
+LimitedOutput output_of(const ContactDynamics& dynamics, double X, const LinearArc& arc, int j,
+                        bool of_force) {
+  return {.arc = arc,
+          .contact = j,
+          .of_force = of_force,
+          .offset = of_force ? 0.0 : dynamics.structure().gaps[j],
+          .unit = of_force ? dynamics.force_scale(j) : X};
+}
+
 class Surveyor {
  public:
   explicit Surveyor(const ExtendedEquations& equations)
@@ -152,24 +162,17 @@ class Surveyor {
     at_section(contact);
   }
 
-  // x_j - g_j over X, or lambda_j over its scale.
   [[nodiscard]] LimitedOutput output(const LinearArc& arc, int j, bool of_force) const {
-    return {.arc = arc,
-            .contact = j,
-            .of_force = of_force,
-            .offset = of_force ? 0.0 : dynamics_.structure().gaps[j],
-            .unit = of_force ? dynamics_.force_scale(j) : X_};
+    return output_of(dynamics_, X_, arc, j, of_force);
   }
 
   // A maximum right at the section, as of motions that run backwards as they run forwards, is inside no arc.
   void at_section(int j) {
-    const LinearArc& first = equations_.arc(0);
-    const bool closed = first.mode().closed(j);
-    const LimitedOutput after = output(first, j, closed);
+    const bool closed = equations_.arc(0).mode().closed(j);
+    const LimitedOutput after = output(equations_.arc(0), j, closed);
     const LimitedOutput before = output(equations_.arc(orbit_.count()), j, closed);
-    const double begin = equations_.time_of(0.0);
-    const bool rises = before.value(equations_.time_of(orbit_.end()), 1) >= 0.0;
-    if (rises && after.value(begin, 1) <= 0.0 && after.value(begin, 2) < 0.0)
+    const double begin = equations_.time_of(0.0), end = equations_.time_of(orbit_.end());
+    if (before.value(end, 1) >= 0.0 && after.value(begin, 1) <= 0.0 && after.value(begin, 2) < 0.0)
       lower(closed ? GuardKind::pressure : GuardKind::clearance, j, -after.value(begin, 0), 0.0, 0);
   }
 
