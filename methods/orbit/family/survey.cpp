@@ -28,6 +28,16 @@ LimitedOutput output_of(const ContactDynamics& dynamics, double X, const LinearA
           .unit = of_force ? dynamics.force_scale(j) : X};
 }
 
+// Whether contact j rests on its stop where a part begins, let go by an opening or by an impact without
+// restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
+bool leaves_rest(const SequencedOrbit& orbit, const ContactDynamics& dynamics, Eigen::Index part, int j) {
+  if (part == 0 || !dynamics.halts(j)) return false;
+  const SequenceEvent& event = orbit.event(part - 1);
+  if (event.contact != j) return false;
+  return event.kind == ContactEvent::Kind::open ||
+         (event.kind == ContactEvent::Kind::impact && keeps_none(event));
+}
+
 class Surveyor {
  public:
   explicit Surveyor(const ExtendedEquations& equations)
@@ -176,16 +186,6 @@ class Surveyor {
       lower(closed ? GuardKind::pressure : GuardKind::clearance, j, -after.value(begin, 0), 0.0, 0);
   }
 
-  // Whether contact j rests on its stop where a part begins, let go by an opening or by an impact without
-  // restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
-  [[nodiscard]] bool leaves_rest(Eigen::Index part, int j) const {
-    if (part == 0 || !dynamics_.halts(j)) return false;
-    const SequenceEvent& event = orbit_.event(part - 1);
-    if (event.contact != j) return false;
-    return event.kind == ContactEvent::Kind::open ||
-           (event.kind == ContactEvent::Kind::impact && keeps_none(event));
-  }
-
   void arc(Eigen::Index part, int j, double begin, double end) {
     const LinearArc& arc = equations_.arc(part);
     const std::vector<FadingRate> terms = arc.fading_rates(kOrbitRounding);  // less moves no extreme
@@ -193,7 +193,8 @@ class Surveyor {
     const double gap = dynamics_.structure().gaps[j];
     const LimitedOutput x = output(arc, j, false);
     constexpr double kBeside = 1e-4;  // rad
-    const double resting = leaves_rest(part, j) ? begin + kBeside / equations_.frequency() : begin;
+    const double resting =
+        leaves_rest(orbit_, dynamics_, part, j) ? begin + kBeside / equations_.frequency() : begin;
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
       result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
       result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
