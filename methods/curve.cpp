@@ -20,6 +20,11 @@ std::string describe(SpecialKind kind) {
 
 Support follows_frequency(const Method& method, const ParametrisedScene& scene) {
   if (scene.parameter != kFrequency) return {false, fmt::format("its curves are over {} alone", kFrequency)};
+  if (highest_load_harmonic(scene.at(scene.from)) == 0)
+    return {
+        false,
+        "without a periodic load its equations have the state of rest at every frequency, and do not tell "
+        "that of free motions"};
   for (const double end : {scene.from, scene.to}) {
     if (Support support = method.supports(scene.at(end)); !support.ok) return support;
   }

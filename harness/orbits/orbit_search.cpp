@@ -36,14 +36,16 @@ OrbitGuess first_period(OrbitGuess orbit, double period) {
 
 /// A motion without the place of what it does not touch. Of a family of motions in which free parts may be
 /// anywhere one is told: those that agree in all else differ by a motion that no force holds in its place.
-Motion without_place(Motion motion) {
-  constexpr double kRounding = 1e-12;  // of the place
+/// What moves less than rounding of its place and its gap is at rest.
+Motion without_place(Motion motion, const Problem& problem) {
+  constexpr double kRounding = 1e-12;  // of the place, or the gap
   std::vector<bool> touched(static_cast<std::size_t>(motion.samples.x.cols()), false);
   for (const Impulse& impulse : motion.impulses) touched[static_cast<std::size_t>(impulse.contact)] = true;
   for (Eigen::Index j = 0; j < motion.samples.x.cols(); ++j) {
     if (touched[static_cast<std::size_t>(j)] || !motion.samples.force.col(j).isZero(0.0)) continue;
     auto x = motion.samples.x.col(j);
-    const double rest = kRounding * x.cwiseAbs().maxCoeff();
+    const double gap = std::abs(problem.contacts[static_cast<std::size_t>(j)].gap);
+    const double rest = kRounding * std::max(gap, x.cwiseAbs().maxCoeff());
     x.array() -= x.mean();
     if (x.cwiseAbs().maxCoeff() <= rest) x.setZero();
   }
@@ -91,7 +93,7 @@ class OrbitCollection {
 
  private:
   [[nodiscard]] Motion compared(const Trajectory& orbit) const {
-    return without_place(sample_motion(problem_, orbit, kCompared));
+    return without_place(sample_motion(problem_, orbit, kCompared), problem_);
   }
 
   OrbitSearch solve(const OrbitGuess& guess, int order) {

@@ -126,7 +126,8 @@ ResponseCurve curve_of(const BranchDiagram& diagram) {
       points.points.push_back({.frequency = point.frequency,
                                .order = point.order,
                                .motion = point.motion,
-                               .stable = stable(point.stability)});
+                               .stable = stable(point.stability),
+                               .amplitude = amplitude_at(point)});
     curve.branches.push_back(std::move(points));
     for (const SpecialPoint& special : branch.special) {
       if (special.kind == SpecialKind::phase_resonance) continue;  // nothing changes there
@@ -182,7 +183,7 @@ std::vector<DrawnBranch> drawn(const ResponseCurve& curve) {
     DrawnBranch& lines = branches.emplace_back();
     for (const ResponsePoint& point : branch.points) {
       lines.frequency.push_back(point.frequency);
-      lines.amplitude.push_back(half_range(point.motion));
+      lines.amplitude.push_back(point.amplitude.value_or(half_range(point.motion)));
       lines.stable.push_back(!point.stable ? -1 : *point.stable ? 1 : 0);
     }
   }

@@ -54,11 +54,16 @@ std::size_t place_of(Plan& plan, const SuiteResponse& response) {
   return static_cast<std::size_t>(known - plan.scenes.begin());
 }
 
+/// By which it is asked for: of a scene file its own.
+std::string name_of(const SuiteResponse& response) {
+  return looks_like_path(response.scene) ? load_header(find_scene(response.scene)).name : response.scene;
+}
+
 void add_responses(const Suite& suite, const SceneFilter& filter, const Narrowing& narrowing,
                    std::span<const MethodEntry> catalogue, Plan& plan) {
   const auto ways = ways_of(suite, narrowing, catalogue);
   for (const SuiteResponse& response : suite.responses) {
-    if (!filter.takes(response.scene)) continue;
+    if (!filter.takes(name_of(response))) continue;
     const std::size_t place = place_of(plan, response);
     const Scene& scene = plan.scenes[place];
     ResponseQuestion question{.from = response.from, .to = response.to, .orders = response.orders};

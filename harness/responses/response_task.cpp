@@ -47,6 +47,12 @@ struct Asked {
   const Limits& limits;
   ResponseQuestion question = {};
 
+  /// Its motions are free ones, of which each frequency has those of some energies.
+  [[nodiscard]] bool is_free() const { return highest_load_harmonic(scene.problem) == 0; }
+  /// \param amplitude  A of ResponseMetric [m]
+  [[nodiscard]] ResponseMetric metric(double amplitude) const {
+    return {window_of(question), amplitude, is_free() ? Delays::any : Delays::whole_periods};
+  }
   [[nodiscard]] ParametrisedScene varied() const {
     return over_frequency(scene.problem, question.from, question.to);
   }
@@ -102,7 +108,7 @@ class ExactTask final : public CaseTask {
       take_curve(curve, record);
       // Without contacts there is nothing to compare, and no scale of motions.
       if (const double amplitude = amplitude_of(curve); amplitude > 0.0)
-        curve = thinned(std::move(curve), ResponseMetric(window_of(asked_.question), amplitude));
+        curve = thinned(std::move(curve), asked_.metric(amplitude));
       record.response->branches = drawn_with_motions(curve);
     } catch (const std::runtime_error& error) {  // the scene cannot be followed
       refuse(error.what(), record);
@@ -136,9 +142,10 @@ class ExactTask final : public CaseTask {
     return curve;
   }
 
-  /// What starts settle to at each of the steps. None of a structure that is not followed through time.
+  /// What starts settle to at each of the steps. None of a structure that is not followed through time, or
+  /// that nothing drives: free motions settle to nothing.
   [[nodiscard]] std::vector<AttractorsAt> attractors() const {
-    if (!flow_obstacle(asked_.scene.problem).empty()) return {};
+    if (asked_.is_free() || !flow_obstacle(asked_.scene.problem).empty()) return {};
     return attractors_over(asked_.varied(), sweep_frequencies(range_of(asked_.question)),
                            {.starts = 24, .timeout = asked_.limits.reference_timeout / kSteps});
   }
@@ -158,14 +165,15 @@ class ExactTask final : public CaseTask {
   }
 
   /// Orbits of steps of the frequency on none of the branches: those of isolated ones, and beyond ends at
-  /// which a branch could not be followed.
+  /// which a branch could not be followed. None of free motions: a solve has the state of rest.
   void add_orbits_beside(ResponseCurve& curve) const {
+    if (asked_.is_free()) return;
     const ResponseCurve steps = curve_of(asked_.steps(asked_.limits.reference_timeout));
     const double window = window_of(asked_.question);
     const double amplitude = std::max(amplitude_of(curve), amplitude_of(steps));
     if (!(amplitude > 0.0)) return;
     const std::vector<ResponseBranch> beside =
-        beside_branches(curve, steps, ResponseMetric(window, amplitude), window);
+        beside_branches(curve, steps, asked_.metric(amplitude), window);
     std::size_t orbits = 0;
     for (const ResponseBranch& branch : beside) orbits += branch.points.size();
     if (orbits > 0)
@@ -279,7 +287,7 @@ class ResponseTask final : public CaseTask {
     record.answer = digest_of_branches(record.response->branches);
     const double window = window_of(asked_.question), amplitude = amplitude_of(exact_.curve());
     if (amplitude > 0.0)
-      compare(curve, ResponseMetric(window, amplitude), window, *record.response);
+      compare(curve, asked_.metric(amplitude), window, *record.response);
     else
       record.message = "nothing to compare with: the exact response has no branch, or the scene no contact";
   }

@@ -27,6 +27,9 @@ double seconds_per_method(const Problem& problem) {
 /// Whether the method answers what the case asks: a solve, or a curve of its own.
 Support support_of(const Method& method, const Problem& problem,
                    const std::optional<ResponseQuestion>& response) {
+  if (response && response->way == ResponseWay::steps && highest_load_harmonic(problem) == 0)
+    return {false,
+            "without a periodic load a solve at a frequency has the state of rest, and no free motion"};
   const CurveMethod* const curve =
       response && response->way == ResponseWay::arc_length ? method.curve() : nullptr;
   return curve == nullptr ? method.supports(problem)

@@ -225,7 +225,9 @@ std::vector<OrbitBranch> within(const OrbitBranch& branch, const ParametrisedSce
 OrbitDiagram energy_diagram(const ParametrisedScene& scene, const Method& method, const CurveLimits& limits) {
   const Problem problem = scene.at(scene.middle());
   const auto band = free_motion_band(problem);
-  if (!band) return {.unfinished = "no spring holds the structure in place"};
+  if (!band)
+    return {.unfinished = problem.contact_count() == 0 ? "there is no contact"
+                                                       : "no spring holds the structure in place"};
   OrbitFamily family(over_frequency(problem, band->low, band->high));
   CurveLimits inner = limits;
   inner.at.push_back(scene.low());

@@ -73,13 +73,23 @@ def mode_between_stops_told(frequency):
     return 0.5 * (v * v + w * w)
 
 
+RATES = [math.sqrt(0.5 * (3.0 - math.sqrt(5.0))), math.sqrt(0.5 * (3.0 + math.sqrt(5.0)))]  # of the linear modes of CHAIN
+
+
 def chain_mode(omega):
     """Energy [J] of a mode of one impact a period: two masses, a rigid stop 1 m before the second. Sums over the linear modes."""
-    rates = [math.sqrt(0.5 * (3.0 - math.sqrt(5.0))), math.sqrt(0.5 * (3.0 + math.sqrt(5.0)))]
-    shapes = [1.0 / (1.0 + (2.0 - rate**2)**-2) for rate in rates]  # squares at the second mass
+    shapes = [1.0 / (1.0 + (2.0 - rate**2)**-2) for rate in RATES]  # squares at the second mass
     half = math.pi / omega
-    impulse = -1.0 / sum(s / (2.0 * w * math.tan(w * half)) for w, s in zip(rates, shapes))
-    return impulse**2 / 8.0 * sum(s / math.sin(w * half)**2 for w, s in zip(rates, shapes))
+    impulse = -1.0 / sum(s / (2.0 * w * math.tan(w * half)) for w, s in zip(RATES, shapes))
+    return impulse**2 / 8.0 * sum(s / math.sin(w * half)**2 for w, s in zip(RATES, shapes))
+
+
+def mode_between_rigid_stops(omega):
+    """The same of the mode that strikes a stop 1 m before and one 1 m behind the first mass in turn, half a period apart."""
+    shapes = [1.0 / (1.0 + (2.0 - rate**2)**2) for rate in RATES]  # squares at the first mass
+    quarter = 0.5 * math.pi / omega
+    impulse = 1.0 / sum(s * math.tan(w * quarter) / (2.0 * w) for w, s in zip(RATES, shapes))
+    return impulse**2 / 8.0 * sum(s / math.cos(w * quarter)**2 for w, s in zip(RATES, shapes))
 
 
 # NLvib, example 03.

@@ -159,7 +159,13 @@ void complete_free_motions(SweepArguments& arguments) {
   if (!no_interval && !arguments.methods.empty()) return;
   if (arguments.parameter == kEnergy) arguments.methods = exact_method().name;  // it alone follows energies
   const Problem problem = read_scene(find_scene(arguments.scene)).problem;
-  if (highest_load_harmonic(problem) > 0 || !continuation_obstacle(problem).empty()) return;
+  if (highest_load_harmonic(problem) > 0) return;
+  if (const std::string obstacle = continuation_obstacle(problem); !obstacle.empty()) {
+    if (!arguments.methods.empty()) return;
+    throw UsageError(
+        fmt::format("scene = {} (must be one that is followed, or have --method or --methods: {})",
+                    problem.name, obstacle));
+  }
   if (arguments.methods.empty()) arguments.methods = exact_method().name;
   const auto band = no_interval ? free_motion_band(problem) : std::nullopt;
   if (no_interval && !band)

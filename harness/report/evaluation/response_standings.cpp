@@ -122,12 +122,21 @@ std::vector<std::string> response_labels(std::span<const Record> records) {
 }
 
 std::vector<ResponseGroup> response_groups(std::span<const Record> records) {
-  std::set<std::string> compared;  // scenes
+  std::set<std::string> compared, asked, contested;  // scenes; the latter of other methods than the exact one
   std::string exact_method;
+  for (const Record& record : records)
+    if (is_exact(record)) exact_method = record.method;
   for (const Record& record : records) {
     if (record.response->comparison) compared.insert(record.scene);
-    if (is_exact(record)) exact_method = record.method;
+    if (record.method == exact_method) continue;
+    asked.insert(record.scene);
+    if (record.status != Status::not_applicable) contested.insert(record.scene);
   }
+  // Where no other method applies, as to free motions, there is nothing to choose beside scenes where one
+  // does.
+  std::erase_if(compared, [&](const std::string& scene) {
+    return !contested.empty() && asked.contains(scene) && !contested.contains(scene);
+  });
   std::map<std::optional<SceneKind>, Responses> by_kind;
   for (const Record& record : records) {
     if (is_exact(record) || !compared.contains(record.scene)) continue;

@@ -18,6 +18,26 @@ bool keeps_none(const SequenceEvent& event) {
   return std::ranges::find(event.restitution, 0.0) != event.restitution.end();
 }
 
+// x_j - g_j over X, or lambda_j over its scale.
+LimitedOutput output_of(const ContactDynamics& dynamics, double X, const LinearArc& arc, int j,
+                        bool of_force) {
+  return {.arc = arc,
+          .contact = j,
+          .of_force = of_force,
+          .offset = of_force ? 0.0 : dynamics.structure().gaps[j],
+          .unit = of_force ? dynamics.force_scale(j) : X};
+}
+
+// Whether contact j rests on its stop where a part begins, let go by an opening or by an impact without
+// restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
+bool leaves_rest(const SequencedOrbit& orbit, const ContactDynamics& dynamics, Eigen::Index part, int j) {
+  if (part == 0 || !dynamics.halts(j)) return false;
+  const SequenceEvent& event = orbit.event(part - 1);
+  if (event.contact != j) return false;
+  return event.kind == ContactEvent::Kind::open ||
+         (event.kind == ContactEvent::Kind::impact && keeps_none(event));
+}
+
 class Surveyor {
  public:
   explicit Surveyor(const ExtendedEquations& equations)
@@ -149,16 +169,21 @@ class Surveyor {
       const double end = equations_.time_of(i == m ? orbit_.end() : orbit_.phase(i));
       arc(i, contact, begin, end);
     }
+    at_section(contact);
   }
 
-  // Whether contact j rests on its stop where a part begins, let go by an opening or by an impact without
-  // restitution: x - g and its first derivatives are zero to rounding there, and so is a maximum beside it.
-  [[nodiscard]] bool leaves_rest(Eigen::Index part, int j) const {
-    if (part == 0 || !dynamics_.halts(j)) return false;
-    const SequenceEvent& event = orbit_.event(part - 1);
-    if (event.contact != j) return false;
-    return event.kind == ContactEvent::Kind::open ||
-           (event.kind == ContactEvent::Kind::impact && keeps_none(event));
+  [[nodiscard]] LimitedOutput output(const LinearArc& arc, int j, bool of_force) const {
+    return output_of(dynamics_, X_, arc, j, of_force);
+  }
+
+  // A maximum right at the section, as of motions that run backwards as they run forwards, is inside no arc.
+  void at_section(int j) {
+    const bool closed = equations_.arc(0).mode().closed(j);
+    const LimitedOutput after = output(equations_.arc(0), j, closed);
+    const LimitedOutput before = output(equations_.arc(orbit_.count()), j, closed);
+    const double begin = equations_.time_of(0.0), end = equations_.time_of(orbit_.end());
+    if (before.value(end, 1) >= 0.0 && after.value(begin, 1) <= 0.0 && after.value(begin, 2) < 0.0)
+      lower(closed ? GuardKind::pressure : GuardKind::clearance, j, -after.value(begin, 0), 0.0, 0);
   }
 
   void arc(Eigen::Index part, int j, double begin, double end) {
@@ -166,9 +191,10 @@ class Surveyor {
     const std::vector<FadingRate> terms = arc.fading_rates(kOrbitRounding);  // less moves no extreme
     const bool closed = arc.mode().closed(j);
     const double gap = dynamics_.structure().gaps[j];
-    const LimitedOutput x{.arc = arc, .contact = j, .of_force = false, .offset = gap, .unit = X_};
+    const LimitedOutput x = output(arc, j, false);
     constexpr double kBeside = 1e-4;  // rad
-    const double resting = leaves_rest(part, j) ? begin + kBeside / equations_.frequency() : begin;
+    const double resting =
+        leaves_rest(orbit_, dynamics_, part, j) ? begin + kBeside / equations_.frequency() : begin;
     for (const LimitedSample& at : extremes(x, begin, end, terms)) {
       result_.highest[j] = std::max(result_.highest[j], gap + X_ * at.value);
       result_.lowest[j] = std::min(result_.lowest[j], gap + X_ * at.value);
@@ -176,8 +202,7 @@ class Surveyor {
         lower(GuardKind::clearance, j, -at.value, equations_.phase_of(at.time), part);
     }
     if (!closed) return;
-    const LimitedOutput force{
-        .arc = arc, .contact = j, .of_force = true, .offset = 0.0, .unit = dynamics_.force_scale(j)};
+    const LimitedOutput force = output(arc, j, true);
     for (const LimitedSample& at : extremes(force, begin, end, terms)) {
       if (at.maximum) lower(GuardKind::pressure, j, -at.value, equations_.phase_of(at.time), part);
     }

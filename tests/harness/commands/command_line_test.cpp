@@ -193,6 +193,21 @@ TEST(CommandLine, RefusesAManifestWhoseMembersHaveTheWrongType) {
   }
 }
 
+TEST(CommandLine, SaysWhyASceneWithoutALoadIsNotFollowed) {
+  const auto folder = test::fresh_folder("no-load");
+  std::ofstream(folder / "rest.toml")
+      << "schema = 1\nname = \"rest\"\n"
+         "system = { kind = \"sdof\", mass = 1.0, damping = 0.1, stiffness = 1.0 }\n"
+         "forcing = { frequency = 1.0 }\ncontact = [{ dof = 0, gap = 1.0 }]\nlaw = { penalty = 10.0 }\n";
+  const std::string scene = (folder / "rest.toml").string();
+  for (const char* options : {"", " --from 0.5 --to 3", " --from 0.5 --to 3 --methods aft-hbm"}) {
+    const Outcome outcome = run("sweep " + scene + options);
+    EXPECT_EQ(outcome.code, 2) << options;
+    EXPECT_NE(outcome.err.find("without a periodic load"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
 TEST(CommandLine, RefusesAFileWhereAFolderIsToBe) {
   const auto file = test::fresh_folder("file-for-folder") / "file";
   std::ofstream(file) << "mine";

@@ -180,6 +180,16 @@ TEST(FindAllOrbits, ListsOneOfAFamilyOfMotionsThatTouchNothing) {
   EXPECT_EQ(families, 1);
 }
 
+// Whatever the rounding of a state that settles to it.
+TEST(FindAllOrbits, ListsTheStateOfRestOnce) {
+  Problem unloaded = read_scene(find_scene("chain2-penalty")).problem;
+  unloaded.force.clear();
+  const SceneOrbits found = find_all_orbits(unloaded, {.starts = 4, .subharmonics = 1});
+  ASSERT_EQ(found.orbits.size(), 1U);
+  EXPECT_EQ(found.orbits[0].amplitude, 0.0);
+  EXPECT_GT(found.orbits[0].starts, 10);
+}
+
 TEST(FindAllOrbits, LeavesOutWhatIsNotCertified) {
   const Problem problem = coexisting();
   const OrbitPolisher refuse = [](const Problem&, const Trajectory&, std::span<const Certificate>,

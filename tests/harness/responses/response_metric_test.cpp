@@ -38,6 +38,19 @@ TEST(ResponseMetric, KnowsNoForcingPeriodButThePhaseOfTheLoad) {
   EXPECT_GT(metric(moving(1.0, 1.0), moving(1.0, -1.0)), 1.0);                           // half a period
 }
 
+// x(t) and 1.1 x(t - s) with any s, between two instants too.
+TEST(ResponseMetric, KnowsNoPhaseOfFreeMotions) {
+  const ResponseMetric metric(1.0, 1.0, Delays::any);
+  for (const double instants : {0.0, 17.0, 64.0, 40.5, 99.3}) {
+    ResponsePoint later = moving(1.0, 1.1);
+    for (int i = 0; i < kComparedPhases; ++i)
+      later.motion(i, 0) = 1.1 * std::cos(2.0 * std::numbers::pi * (i - instants) / kComparedPhases);
+    EXPECT_NEAR(metric(moving(1.0, 1.0), later), 0.1 / std::sqrt(2.0), 1e-4) << instants;
+    const auto [a, b] = metric.aligned(moving(1.0, 1.0), later);
+    EXPECT_LT((a.motion - b.motion).cwiseAbs().maxCoeff(), 0.13) << instants;
+  }
+}
+
 TEST(ResponseMetric, PutsMotionsOfOtherPeriodsInfinitelyFarAway) {
   EXPECT_EQ(ResponseMetric(1.0, 1.0)(moving(1.0, 1.0), moving(1.0, 1.0, 2, 0.3)),
             std::numeric_limits<double>::infinity());

@@ -92,6 +92,23 @@ TEST(ResponseStandings, KeepKindsOfScenesApart) {
   EXPECT_EQ(group_title(response_groups(records).at(0)), "Scenes of unrecorded law, 3 responses");
 }
 
+// As free motions are, which exact orbits alone follow; where there is nothing else they stand alone.
+TEST(ResponseStandings, LeaveOutScenesThatNoOtherMethodAppliesTo) {
+  std::vector<Record> records{test::exact_response("a"), test::exact_response("b"), test::exact_response("c"),
+                              test::exact_response("free")};
+  test::add_method(records, "exact-orbit", 1.0, 0.0, 9.0);
+  test::add_method(records, "m", 0.9, 0.0, 1.0);
+  records.push_back(test::response_of("free", "exact-orbit", 1.0, 1.0));
+  records.push_back(test::response_of("free", "m", 0.0, 1.0));
+  records.back().status = Status::not_applicable;
+  records.back().response->comparison.reset();
+  const ResponseGroup group = response_groups(records).at(0);
+  EXPECT_EQ(group.scenes, (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_DOUBLE_EQ(std::ranges::find(group.standings, "m", &ResponseStanding::label)->found, 0.9);
+  std::erase_if(records, [](const Record& record) { return record.scene != "free"; });
+  EXPECT_EQ(response_groups(records).at(0).scenes, std::vector<std::string>{"free"});
+}
+
 TEST(ResponseStandings, LeaveOutScenesThatNothingWasComparedOn) {
   Record failed = test::response_of("a", "m", 0.0, 1.0);
   failed.response->comparison.reset();
