@@ -92,10 +92,11 @@ class SecularFunction {
   std::vector<long double> poles_, weights_;
 };
 
-// A value, and its vector's place among those found.
+// A value: of a pole that stays, or of a root.
 struct Found {
   long double value = 0.0L;
-  Eigen::Index column = 0;
+  Eigen::Index pole = -1;
+  Root root = {};
 };
 
 }  // namespace
@@ -103,17 +104,14 @@ struct Found {
 std::optional<RankOneEigenpairs> add_rank_one(const std::vector<long double>& poles, const Eigen::VectorXd& z,
                                               double strength) {
   constexpr long double kNear = 1e-12L;  // of two poles
-  const Eigen::Index n = z.size();
   const double least = kEpsilon * z.lpNorm<Eigen::Infinity>();
   std::vector<Found> found;
   std::vector<Eigen::Index> pushed;
   std::vector<long double> pushed_poles, weights;
-  Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
     const long double pole = poles[static_cast<std::size_t>(i)], share = z[i];
     if (std::abs(z[i]) <= least) {
-      found.push_back({.value = pole, .column = i});
-      vectors(i, i) = 1.0;
+      found.push_back({.value = pole, .pole = i});
       continue;
     }
     if (!pushed.empty() && !(pole - pushed_poles.back() > kNear * pole)) return std::nullopt;
@@ -122,26 +120,30 @@ std::optional<RankOneEigenpairs> add_rank_one(const std::vector<long double>& po
     weights.push_back(strength * share * share);
   }
   const SecularFunction secular(std::move(pushed_poles), std::move(weights));
-  std::vector<long double> vector(pushed.size());
   for (std::size_t j = 0; j < pushed.size(); ++j) {
     const std::optional<Root> root = secular.root(j);
     if (!root) return std::nullopt;
+    found.push_back({.value = secular.value(*root), .root = *root});
+  }
+  std::ranges::sort(found, {}, &Found::value);
+  RankOneEigenpairs pairs{.values = {}, .vectors = Eigen::MatrixXd::Zero(z.size(), z.size())};
+  std::vector<long double> vector(pushed.size());
+  for (const Found& one : found) {
+    auto column = pairs.vectors.col(std::ssize(pairs.values));
+    pairs.values.push_back(one.value);
+    if (one.pole >= 0) {
+      column[one.pole] = 1.0;
+      continue;
+    }
     long double square = 0.0L;
     for (std::size_t i = 0; i < pushed.size(); ++i) {
-      vector[i] = z[pushed[i]] / secular.from(i, *root);
+      vector[i] = z[pushed[i]] / secular.from(i, one.root);
       square += vector[i] * vector[i];
     }
     const long double factor = 1.0L / std::sqrt(square);
     if (!(factor > 0.0L)) return std::nullopt;
     for (std::size_t i = 0; i < pushed.size(); ++i)
-      vectors(pushed[i], pushed[j]) = static_cast<double>(factor * vector[i]);
-    found.push_back({.value = secular.value(*root), .column = pushed[j]});
-  }
-  std::ranges::sort(found, {}, &Found::value);
-  RankOneEigenpairs pairs{.values = {}, .vectors = Eigen::MatrixXd(n, n)};
-  for (const Found& one : found) {
-    pairs.vectors.col(std::ssize(pairs.values)) = vectors.col(one.column);
-    pairs.values.push_back(one.value);
+      column[pushed[i]] = static_cast<double>(factor * vector[i]);
   }
   return pairs;
 }

@@ -59,11 +59,13 @@ std::optional<ComplexModes> modes_with_springs(const ComplexModes& without, cons
   if (!modes) return std::nullopt;
   DashpotCoupling coupling{.shares = transposed_product(modes->shapes, springs.directions),
                            .strength = springs.damping};
+  Eigen::MatrixXd moved(modes->shapes.rows(), modes->shapes.cols());
   for (Index j = 0; j < springs.stiffness.size(); ++j) {
     auto next = add_rank_one(modes->squares, coupling.shares.col(j), springs.stiffness[j]);
     if (!next) return std::nullopt;
     modes->squares = std::move(next->values);
-    modes->shapes = dense_product(modes->shapes, next->vectors);
+    set_product(moved, modes->shapes, next->vectors);
+    modes->shapes.swap(moved);
     coupling.shares = transposed_product(next->vectors, coupling.shares);
     // alpha + beta (K + springs) damps these modes by themselves; the springs have only c_j of it.
     coupling.strength[j] -= static_cast<double>(modes->beta) * springs.stiffness[j];
