@@ -205,13 +205,15 @@ std::string headline(const Outcome& outcome) {
   return text + "\n";
 }
 
-std::string details(const LongMotion& motion) {
+/// \param periods  that were to be measured
+std::string details(const LongMotion& motion, int periods) {
+  const bool cut = motion.order == 0 && motion.measured < periods;
   std::vector<std::string> exponents;
   for (const Estimate& exponent : motion.lyapunov) exponents.push_back(text_of(exponent));
   std::string text;
   if (!exponents.empty())
-    text = fmt::format("Lyapunov exponents [1/s]: {} (over {} forcing periods)\n", joined(exponents, ", "),
-                       motion.measured);
+    text = fmt::format("Lyapunov exponents [1/s]: {} (over {} forcing periods{})\n", joined(exponents, ", "),
+                       motion.measured, cut ? ", for which the time lasted" : "");
   if (!motion.stops.empty()) text += to_columns(stop_table(motion.stops));
   return text;
 }
@@ -279,7 +281,7 @@ int tell_motion(const MotionArguments& arguments) {
     fmt::print("{}\n", json_text(motion_json(problem, outcomes)));
   } else {
     for (const Outcome& outcome : outcomes) fmt::print("{}", headline(outcome));
-    fmt::print("{}", details(outcomes.front().motion));
+    fmt::print("{}", details(outcomes.front().motion, arguments.options.periods));
   }
   write_files(arguments, problem, followed.dynamics(), outcomes.front());
   return outcomes.front().motion.verdict == LongRun::undecided ? kUnexpectedFailure : kDone;

@@ -24,10 +24,10 @@ namespace signorini {
 
 namespace {
 
-constexpr double kTolerance = 1e-10;      // of the flow's events [-]
-constexpr double kStill = 1e-9;           // of the scales: no motion [-]
-constexpr std::size_t kLeastSteps = 100;  // of exponents that decide [-]
-constexpr int kHigher = 2;                // times the orders told at first: of a motion that settles late [-]
+constexpr double kTolerance = 1e-10;     // of the flow's events [-]
+constexpr double kStill = 1e-9;          // of the scales: no motion [-]
+constexpr std::size_t kLeastSteps = 30;  // of exponents that decide: ten that turn, a value for each batch
+constexpr int kHigher = 2;               // times the orders told at first: of a motion that settles late [-]
 constexpr double kLarge = 10.0;  // of the scale of the motion: what grows beyond it may be unbounded [-]
 
 /// Whether sizes at the ends of parts, each twice as long as the one before, have grown to the last, which is
@@ -130,12 +130,13 @@ void decide(const LyapunovSum& deviations, const PeriodMap& map, const LongMotio
   constexpr double kTorusGrowth = 6.0;  // logarithm: tenfold by an even drift, the rest along the curve
   constexpr double kFaded = 3.0;        // times that in which a mode fades: it has settled
   constexpr double kGrown = 20.0;       // logarithm of the growth of a deviation over the whole time
-  if (deviations.steps() < kLeastSteps) {
-    result.reason = fmt::format("not periodic, and only {} periods could be measured", result.measured);
-    return;
-  }
   const std::string_view further =
       result.measured < options.periods ? "more time decides" : "more periods decide";
+  if (deviations.steps() < kLeastSteps) {
+    result.reason =
+        fmt::format("not periodic, and only {} periods could be measured: {}", result.measured, further);
+    return;
+  }
   result.lyapunov = deviations.exponents();
   const Estimate largest = result.lyapunov.front();
   for (Estimate& exponent : result.lyapunov) {
@@ -178,11 +179,12 @@ class LongMotionFollower {
   LongMotionFollower(const ContactDynamics& dynamics, FlowState start, const LongMotionOptions& options,
                      const Deadline& deadline)
       : flow_(
-            dynamics, kTolerance, [this] { return deadline_.passed() || interrupted(); }, Integrator::modal),
+            dynamics, kTolerance, [this] { return ended(); }, Integrator::modal),
         map_(flow_),
         state_(std::move(start)),
         options_(options),
-        deadline_(deadline) {}
+        deadline_(deadline),
+        limit_(deadline) {}
 
   LongMotion run() {
     try {
@@ -200,20 +202,29 @@ class LongMotionFollower {
   }
 
  private:
-  /// The stable periodic motion that is reached, if one is. Parts of the transient are each twice as long as
-  /// the one before.
+  [[nodiscard]] bool ended() const { return limit_.passed() || interrupted(); }
+
+  /// The stable periodic motion that is reached, if one is, within its share of the time.
   std::optional<FixedPoint> settle() {
-    const double until = 0.6 * deadline_.left();  // what is left for measuring, at least
+    constexpr double kShare = 0.4;  // of the time: the rest is for measuring
+    limit_ = Deadline::first_of(deadline_, Deadline::after(kShare * std::max(0.0, deadline_.left())));
+    std::optional<FixedPoint> found = settle_within_limit();
+    limit_ = deadline_;
+    return found;
+  }
+
+  /// Parts of the transient are each twice as long as the one before.
+  std::optional<FixedPoint> settle_within_limit() {
     PeriodicMotionOptions options{
         .tolerance = kTolerance, .integrator = Integrator::modal, .max_order = options_.max_order};
     int part = 16;
     for (int marched = 0; marched < options_.transient; marched += part, part *= 2) {
       options.max_iterations = std::min(part, options_.transient - marched);
-      FixedPoint found = march(map_, state_, options, [this] { return deadline_.passed(); });
+      FixedPoint found = march(map_, state_, options, [this] { return ended(); });
       state_ = found.start;
       if (found.converged) return found;
+      if (limit_.passed()) break;
       sizes_.push_back(map_.scaled(state_.state).lpNorm<Eigen::Infinity>());
-      if (deadline_.left() < until) break;
     }
     return std::nullopt;
   }
@@ -234,8 +245,7 @@ class LongMotionFollower {
         .max_iterations = faded ? static_cast<int>(result_.measured) : std::max(kNotLong, 8 * order),
         .max_order = faded ? highest : order};
     try {
-      if (FixedPoint found = march(map_, state_, options, [this] { return deadline_.passed(); });
-          found.converged)
+      if (FixedPoint found = march(map_, state_, options, [this] { return ended(); }); found.converged)
         return found;
     } catch (const FlowError&) {  // what is measured remains
     }
@@ -344,6 +354,7 @@ class LongMotionFollower {
   FlowState state_;
   const LongMotionOptions& options_;
   const Deadline& deadline_;
+  Deadline limit_;             // of what is being done
   std::vector<double> sizes_;  // of the state at the end of each part of the transient, in scales [-]
   LongMotion result_;
 };

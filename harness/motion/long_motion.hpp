@@ -71,7 +71,9 @@ struct LongMotion {
 /// scales of the motion, on a structure with a mode that no damper reaches; elsewhere such growth is a
 /// transient, and undecided.
 ///
-/// \param deadline  ends it, as an interrupt does, with what is measured until then
+/// \param deadline  ends it, as an interrupt does, with what is measured until then: two fifths of its time
+/// are left for settling, and from 30 periods measured on the verdict is given by the same rules, with the
+/// wider error of fewer periods
 LongMotion follow_long_motion(const ContactDynamics& dynamics, const FlowState& start,
                               const LongMotionOptions& options, const Deadline& deadline);
 

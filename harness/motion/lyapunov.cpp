@@ -11,8 +11,11 @@ namespace signorini {
 
 namespace {
 
-/// What follows the first tenth, in which directions turn.
-std::span<const double> once_turned(std::span<const double> logs) { return logs.subspan(logs.size() / 10); }
+/// What follows the first tenth, or of few steps ten, in which directions turn.
+std::span<const double> once_turned(std::span<const double> logs) {
+  constexpr std::size_t kFew = 10;
+  return logs.subspan(std::max(logs.size() / 10, std::min(kFew, logs.size() / 2)));
+}
 
 }  // namespace
 

@@ -24,8 +24,9 @@ class LyapunovSum {
   void take(const Eigen::MatrixXd& image);
   /// Steps taken.
   [[nodiscard]] std::size_t steps() const { return logs_.front().size(); }
-  /// The exponents per step, largest first, by batch means over all steps after the first tenth, in which the
-  /// frame turns into the directions of growth; minus infinity where a step takes a direction to zero.
+  /// The exponents per step, largest first, by batch means over all steps after the first tenth (of fewer
+  /// than a hundred ten, but not more than half), in which the frame turns into the directions of growth;
+  /// minus infinity where a step takes a direction to zero.
   [[nodiscard]] std::vector<Estimate> exponents() const;
   /// Logarithm of the largest growth of the first direction from one of these steps to a later one: bounded
   /// where the exponent is 0, as the logarithm of the steps where neighbours drift apart evenly.

@@ -249,6 +249,9 @@ std::string answer_text(const Record& record, const SolveOutput& output) {
       text += "  " + line + "\n";
   }
   if (record.status == Status::timeout) text += "  --timeout gives it more time\n";
+  if (record.status == Status::timeout && record.method == "exact-orbit")
+    text +=
+        fmt::format("  if it never repeats: `signorini motion {}` tells what a machine does\n", record.scene);
   if (converged) text += stability_line(record);
   if (record.law) {
     text +=

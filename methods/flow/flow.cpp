@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "methods/linear_flow/linear_flow.hpp"
+#include "methods/linear_flow/shared_modes.hpp"
 #include "methods/solvers/constants.hpp"
 #include "problems/linear_algebra/exponential.hpp"
 #include "problems/linear_algebra/products.hpp"
@@ -14,7 +15,10 @@ namespace signorini {
 
 EventFlow::EventFlow(const ContactDynamics& dynamics, double tolerance, std::function<bool()> expired,
                      Integrator integrator)
-    : dynamics_(dynamics), integrator_(integrator), expired_(std::move(expired)), flows_(dynamics) {
+    : dynamics_(dynamics),
+      integrator_(integrator),
+      expired_(std::move(expired)),
+      flows_(dynamics, FlowForm::automatic, std::make_shared<SharedModes>()) {
   if (dynamics.rigid()) {
     auto events = std::make_unique<RigidEvents>(dynamics, tolerance);
     rebound_ = std::make_unique<TaylorStretch>(dynamics, events->touch());

@@ -35,10 +35,16 @@ ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : red
   weight = Eigen::VectorXd::Ones(moving + alone);
   weight.head(moving) = reduced.weight;
   shapes = Eigen::MatrixXcd::Zero(positions, moving + alone);
-  shapes.topLeftCorner(size, moving) = product_of_complex(Q, reduced.shapes);
   left = Eigen::MatrixXcd::Zero(moving + alone, positions + size);
-  left.topLeftCorner(moving, size) = product_by_real_transposed(reduced.left.leftCols(n), Q);
-  left.topRightCorner(moving, size) = product_by_real_transposed(reduced.left.rightCols(n), Q);
+  if (n == size) {  // Q is the identity
+    shapes.topLeftCorner(size, moving) = reduced.shapes;
+    left.topLeftCorner(moving, size) = reduced.left.leftCols(n);
+    left.topRightCorner(moving, size) = reduced.left.rightCols(n);
+  } else {
+    shapes.topLeftCorner(size, moving) = product_of_complex(Q, reduced.shapes);
+    left.topLeftCorner(moving, size) = product_by_real_transposed(reduced.left.leftCols(n), Q);
+    left.topRightCorner(moving, size) = product_by_real_transposed(reduced.left.rightCols(n), Q);
+  }
   if (positions > size) {
     shapes.bottomLeftCorner(positions - size, moving) =
         product_in_complex(relaxing.of_u, shapes.topLeftCorner(size, moving));
@@ -52,6 +58,7 @@ ModalBasis::ModalBasis(const ModeEquations& equations, ComplexModes modes) : red
   row_of_mode = product_of_complex(equations.output_of_state, states);
   for (Eigen::Index k = 0; k < mu.size(); ++k)
     for (Eigen::Index row = 0; row < row_of_mode.rows(); ++row) row_of_mode(row, k) *= weight[k];
+  reduced.left.resize(0, 0);  // which `left` holds: a fourth of what there is to keep
 }
 
 std::shared_ptr<const ModalBasis> modal_basis(const ModeEquations& equations) {

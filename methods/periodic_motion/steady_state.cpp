@@ -154,6 +154,7 @@ class March {
   FixedPoint run();
 
  private:
+  std::optional<FixedPoint> search();
   void remember() {
     past_.push_back(map_.scaled(state_.state));
     if (past_.size() > (kTurns + 1) * static_cast<std::size_t>(options_.max_order) + 1) past_.pop_front();
@@ -161,7 +162,9 @@ class March {
 
   void step() {
     FlowRecord record;
-    map_.apply(state_, 1, record);
+    FlowState next = state_;  // the last whole period stays where the time ends in this one
+    map_.apply(next, 1, record);
+    state_ = std::move(next);
     ++marched_;
     remember();
     recent_events_.push_back(std::move(record.events));
@@ -194,9 +197,8 @@ class March {
     const auto p = static_cast<std::size_t>(order);
     if (past_.size() < p + kTurns + 1) return false;
     const std::size_t oldest = std::min(kTurns + p, past_.size() - p) - 1;
-    for (std::size_t ago = 0; ago <= oldest; ++ago) {
+    for (std::size_t ago = 0; ago <= oldest; ++ago)
       if (repeat(order, ago) > options_.accepted()) return false;
-    }
     const double last = repeat(order);
     if (last == 0.0) return true;
     const double turns = static_cast<double>(oldest) / order;
@@ -305,29 +307,41 @@ class March {
   int moves_ = 0;
 };
 
-FixedPoint March::run() {
+std::optional<FixedPoint> March::search() {
   constexpr long kShortest = 4, kLongest = 64;  // periods between two proposals
   long pause = kShortest, next = kShortest;
   while (marched_ < options_.max_iterations) {
     step();
     if (marched_ >= next) {
       const long before = map_.periods();
-      if (auto found = propose()) return *found;
+      if (auto found = propose()) return found;
       // Newton's method costs several periods: the more often it was asked in vain, the longer it rests.
       const bool asked = map_.periods() > before;
       pause = asked ? std::min(2 * pause, kLongest) : kShortest;
       next = asked ? marched_ + pause : marched_ + 1;
       if (asked || marched_ % kLongest == 0) leave_events();
     }
-    if (auto found = settled()) return *found;
+    if (auto found = settled()) return found;
+  }
+  return std::nullopt;
+}
+
+// Where the time ends, with the state after the last whole period.
+FixedPoint March::run() {
+  std::string end;
+  try {
+    if (auto found = search()) return *found;
+  } catch (const FlowError& error) {
+    if (!expired_()) throw;
+    end = error.what();
   }
   int order = 1;
-  for (int candidate = 2; candidate <= options_.max_order; ++candidate) {
+  for (int candidate = 2; candidate <= options_.max_order; ++candidate)
     if (repeat(candidate) < repeat(order)) order = candidate;
-  }
-  return {.message =
-              fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
-                          marched_, options_.max_order, order, repeat(order)),
+  if (end.empty())
+    end = fmt::format("not periodic after {} periods (orders up to {}; nearest order {} within {:.2g})",
+                      marched_, options_.max_order, order, repeat(order));
+  return {.message = end,
           .start = state_,
           .order = order,
           .residual = repeat(order),
@@ -348,9 +362,8 @@ void move_to_quiet_phase(PeriodMap& map, FlowState& state, const std::vector<Con
   const auto phase = [&](int i) { return period * i / kCandidates; };
   const auto clearance = [&](int i) { return nearest_event(events, phase(i), period); };
   int widest = 0;
-  for (int i = 1; i < kCandidates; ++i) {
+  for (int i = 1; i < kCandidates; ++i)
     if (clearance(i) > clearance(widest)) widest = i;
-  }
   const double best = phase(widest);
   const double wait = std::fmod(best - state.time + period, period);
   if (wait <= 0.0) return;

@@ -160,38 +160,13 @@ std::optional<ComplexModes> modes_of(const RealModes& real, const MassForm& form
   return modes;
 }
 
-// Whether modes of z give back a state that is not one of them.
-bool complete(const ComplexModes& modes, double rate) {
-  constexpr double kComplete = 1e-9;
-  const Index n = modes.shapes.rows();
-  Eigen::VectorXcd state(2 * n);
-  for (Index i = 0; i < n; ++i) {
-    state[i] = std::cos(1.0 + 2.0 * static_cast<double>(i));
-    state[n + i] = rate * std::cos(2.0 + 3.0 * static_cast<double>(i));
-  }
-  Eigen::VectorXcd amplitude = complex_image(modes.left, state);
-  for (Index k = 0; k < modes.mu.size(); ++k) amplitude[k] *= modes.weight[k];
-  const Eigen::VectorXcd rates = modes.mu.cwiseProduct(amplitude);
-  const Eigen::VectorXd z = complex_image(modes.shapes, amplitude).real(),
-                        v = complex_image(modes.shapes, rates).real();
-  return (z - state.head(n).real()).norm() <= kComplete * state.head(n).norm() &&
-         (v - state.tail(n).real()).norm() <= kComplete * rates.norm();
-}
-
 std::optional<ComplexModes> weakly_coupled_modes(const RealModes& real, const MassForm& form, double rate) {
   if (!symmetric(form.stiffness) || !symmetric(form.damping)) return std::nullopt;
   std::optional<ComplexModes> modes = weakly_coupled(real, rate);
-  if (!modes || !complete(*modes, rate)) return std::nullopt;
-  const Index n = form.size();
+  if (!modes) return std::nullopt;
   const Eigen::MatrixXd S = extended::rounded(extended::product(form.q_of_z, real.shapes)),
                         R = extended::rounded(extended::product(form.L, real.shapes));
-  const Eigen::MatrixXcd position = modes->left.leftCols(n).transpose(),
-                         velocity = modes->left.rightCols(n).transpose();
-  modes->shapes = product_of_complex(S, modes->shapes);
-  modes->left.leftCols(n) = product_of_complex(R, position).transpose();
-  modes->left.rightCols(n) = product_of_complex(R, velocity).transpose();
-  modes->of_load = product_of_complex(S, velocity).transpose();
-  return modes;
+  return in_coordinates(*std::move(modes), S, R);
 }
 
 // Of 2 Nr modes those with Im mu >= 0. Rows of all but the shapes are theirs.

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <utility>
 
+#include "methods/solvers/dense_products.hpp"
 #include "problems/linear_algebra/products.hpp"
 
 namespace signorini {
@@ -31,12 +34,43 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
+/// y -> C y.
+using Coupling = std::function<Eigen::VectorXcd(const Eigen::VectorXcd&)>;
+
+Coupling coupling_by(const Eigen::MatrixXd& C) {
+  return [C](const Eigen::VectorXcd& y) {
+    Eigen::VectorXcd result(C.rows());
+    result.real() = image(C, Eigen::VectorXd(y.real()));
+    result.imag() = image(C, Eigen::VectorXd(y.imag()));
+    return result;
+  };
+}
+
+Coupling coupling_by(const DashpotCoupling& dashpots) {
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(dashpots.shares.rows());  // the diagonal
+  for (Index j = 0; j < dashpots.strength.size(); ++j)
+    for (Index k = 0; k < own.size(); ++k)
+      own[k] += dashpots.strength[j] * dashpots.shares(k, j) * dashpots.shares(k, j);
+  return [&dashpots, own = std::move(own)](const Eigen::VectorXcd& y) {
+    Eigen::VectorXcd result(y.size());
+    for (Index k = 0; k < y.size(); ++k) result[k] = -own[k] * y[k];
+    for (Index j = 0; j < dashpots.strength.size(); ++j) {
+      const double* share = dashpots.shares.col(j).data();
+      Complex depth = 0.0;
+      for (Index k = 0; k < y.size(); ++k) depth += share[k] * y[k];
+      depth *= dashpots.strength[j];
+      for (Index k = 0; k < y.size(); ++k) result[k] += share[k] * depth;
+    }
+    return result;
+  };
+}
+
 class WeakCoupling {
  public:
-  WeakCoupling(const RealModes& real, double rate)
+  WeakCoupling(const RealModes& real, Coupling coupling, double rate)
       : real_(real),
-        size_(real.shapes.rows()),
-        C_(extended::rounded(real.coupling)),
+        size_(std::ssize(real.squares)),
+        coupling_(std::move(coupling)),
         shift_(rate * rate),
         d_(size_),
         l_(size_) {
@@ -54,18 +88,18 @@ class WeakCoupling {
     y_[k] = 1.0;
     mu_ = root(k, 0.0, larger);
     for (int i = 0; i < kMost; ++i) {
-      const Eigen::VectorXcd pushed = product_by_real_matrix(C_, y_);
+      const Eigen::VectorXcd pushed = coupling_(y_);
       mu_ = root(k, pushed[k], larger);
       double change = 0.0, most = 0.0;
       for (Index j = 0; j < size_; ++j) {
         if (j == k) continue;
         const Complex next = -mu_ * pushed[j] / (mu_ * mu_ + d_[j] * mu_ + l_[j]);
-        change = std::max(change, std::abs(next - y_[j]));
-        most = std::max(most, std::abs(next));
+        change = std::max(change, std::norm(next - y_[j]));
+        most = std::max(most, std::norm(next));
         y_[j] = next;
       }
-      if (!(most <= kWeak)) return false;
-      if (change <= kStill) return well_conditioned();
+      if (!(most <= kWeak * kWeak)) return false;
+      if (change <= kStill * kStill) return well_conditioned();
     }
     return false;
   }
@@ -86,13 +120,6 @@ class WeakCoupling {
   [[nodiscard]] long double square(Index k) const { return real_.squares[static_cast<std::size_t>(k)]; }
   [[nodiscard]] long double damping(Index k) const { return real_.damping[static_cast<std::size_t>(k)]; }
 
-  static Eigen::VectorXcd product_by_real_matrix(const Eigen::MatrixXd& A, const Eigen::VectorXcd& x) {
-    Eigen::VectorXcd result(A.rows());
-    result.real() = image(A, Eigen::VectorXd(x.real()));
-    result.imag() = image(A, Eigen::VectorXd(x.imag()));
-    return result;
-  }
-
   // Of the larger of two real mu the other one is l / mu.
   [[nodiscard]] Complex root(Index k, Complex coupled, bool larger) const {
     using ExtendedComplex = std::complex<long double>;
@@ -105,7 +132,7 @@ class WeakCoupling {
 
   // By the condition of the eigenvalue in the coordinates of the energy.
   [[nodiscard]] bool well_conditioned() {
-    const Eigen::VectorXcd pushed = product_by_real_matrix(C_, y_);
+    const Eigen::VectorXcd pushed = coupling_(y_);
     position_.resize(size_);
     velocity_ = y_;
     Complex theta = 0.0;
@@ -124,12 +151,44 @@ class WeakCoupling {
 
   const RealModes& real_;
   Index size_;
-  Eigen::MatrixXd C_;
+  Coupling coupling_;
   double shift_;  // s^2
   Eigen::VectorXd d_, l_;
   Complex mu_;
   Eigen::VectorXcd y_, position_, velocity_;  // of z = sum_k phi_k y_k and of a = position z + velocity z'
 };
+
+// Whether modes of y give back a state that is not one of them.
+bool complete(const ComplexModes& modes, double rate) {
+  constexpr double kComplete = 1e-9;
+  const Index n = modes.shapes.rows();
+  Eigen::VectorXcd state(2 * n);
+  for (Index i = 0; i < n; ++i) {
+    state[i] = std::cos(1.0 + 2.0 * static_cast<double>(i));
+    state[n + i] = rate * std::cos(2.0 + 3.0 * static_cast<double>(i));
+  }
+  Eigen::VectorXcd amplitude = complex_image(modes.left, state);
+  for (Index k = 0; k < modes.mu.size(); ++k) amplitude[k] *= modes.weight[k];
+  const Eigen::VectorXcd rates = modes.mu.cwiseProduct(amplitude);
+  const Eigen::VectorXd y = complex_image(modes.shapes, amplitude).real(),
+                        v = complex_image(modes.shapes, rates).real();
+  return (y - state.head(n).real()).norm() <= kComplete * state.head(n).norm() &&
+         (v - state.tail(n).real()).norm() <= kComplete * rates.norm();
+}
+
+std::optional<ComplexModes> found_by(WeakCoupling coupling, Index n, double rate) {
+  Index count = 0;
+  for (Index k = 0; k < n; ++k) count += coupling.is_pair(k) ? 1 : 2;
+  ComplexModes modes = ComplexModes::of_size(count, n);
+  Index place = 0;
+  for (Index k = 0; k < n; ++k) {
+    for (int part = 0; part < (coupling.is_pair(k) ? 1 : 2); ++part) {
+      if (!coupling.find(k, part == 0) || !coupling.write(k, place++, modes)) return std::nullopt;
+    }
+  }
+  if (!complete(modes, rate)) return std::nullopt;
+  return modes;
+}
 
 }  // namespace
 
@@ -141,17 +200,24 @@ double most_cancelled(Index coordinates) {
 }
 
 std::optional<ComplexModes> weakly_coupled(const RealModes& real, double rate) {
-  const Index n = real.shapes.rows();
-  WeakCoupling coupling(real, rate);
-  Index count = 0;
-  for (Index k = 0; k < n; ++k) count += coupling.is_pair(k) ? 1 : 2;
-  ComplexModes modes = ComplexModes::of_size(count, n);
-  Index place = 0;
-  for (Index k = 0; k < n; ++k) {
-    for (int part = 0; part < (coupling.is_pair(k) ? 1 : 2); ++part) {
-      if (!coupling.find(k, part == 0) || !coupling.write(k, place++, modes)) return std::nullopt;
-    }
-  }
+  return found_by(WeakCoupling(real, coupling_by(extended::rounded(real.coupling)), rate),
+                  std::ssize(real.squares), rate);
+}
+
+std::optional<ComplexModes> weakly_coupled(const RealModes& real, const DashpotCoupling& coupling,
+                                           double rate) {
+  return found_by(WeakCoupling(real, coupling_by(coupling), rate), std::ssize(real.squares), rate);
+}
+
+ComplexModes in_coordinates(ComplexModes modes, const Eigen::MatrixXd& S, const Eigen::MatrixXd& R) {
+  const Index n = S.cols(), coordinates = S.rows();
+  const Eigen::MatrixXcd position = modes.left.leftCols(n).transpose(),
+                         velocity = modes.left.rightCols(n).transpose();
+  modes.shapes = dense_product(S, modes.shapes);
+  modes.left.resize(modes.mu.size(), 2 * coordinates);
+  modes.left.leftCols(coordinates) = dense_product(R, position).transpose();
+  modes.left.rightCols(coordinates) = dense_product(R, velocity).transpose();
+  modes.of_load = dense_product(S, velocity).transpose();
   return modes;
 }
 

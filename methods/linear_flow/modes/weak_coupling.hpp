@@ -50,4 +50,18 @@ double most_cancelled(Eigen::Index coordinates);
 /// \return in the coordinates y, z = sum_j phi_j y_j, and under their forces
 std::optional<ComplexModes> weakly_coupled(const RealModes& real, double rate);
 
+/// Damping that couples undamped modes by few dashpots: B diag(strength) B^T without its diagonal.
+struct DashpotCoupling {
+  Eigen::MatrixXd shares;    ///< B, n x m
+  Eigen::VectorXd strength;  ///< m, of either sign
+};
+
+/// The same with that coupling, by 2 n m operations a repetition in place of n^2. \param real  its squares
+/// and damping, n; shapes and coupling are not read
+std::optional<ComplexModes> weakly_coupled(const RealModes& real, const DashpotCoupling& coupling,
+                                           double rate);
+
+/// Modes of y, under the forces of y, as those of q = S y. \param S,R  Nr x n, R^T S = 1
+ComplexModes in_coordinates(ComplexModes modes, const Eigen::MatrixXd& S, const Eigen::MatrixXd& R);
+
 }  // namespace signorini

@@ -10,6 +10,7 @@
 #include "harness/orbits/orbit_candidate.hpp"
 #include "harness/plan/plan.hpp"
 #include "methods/linear_flow/contact_dynamics.hpp"
+#include "methods/periodic_motion/period_map.hpp"
 #include "problems/scene/scene_file.hpp"
 
 namespace signorini::long_motion_test {
@@ -105,15 +106,80 @@ TEST(LongMotion, OfATubeBetweenStopsPushesItsEndAsOthersHaveIt) {
 
 // A chaotic motion that passes a stable motion of order 1 (largest multiplier 0.886) again and again: marches
 // of another program over 21,000 periods never end there.
-TEST(LongMotion, IsNotPeriodicWhereItPassesAStableOrbit) {
-  const Followed found =
-      follow(oscillator(R"(system = { kind = "sdof", mass = 0.82495, damping = 0.019289, stiffness = 1.5791 }
+Problem passing_an_orbit() {
+  return oscillator(R"(system = { kind = "sdof", mass = 0.82495, damping = 0.019289, stiffness = 1.5791 }
 forcing = { frequency = 0.608718, term = [{ dof = 0, cos = 1.0 }] }
 law = { penalty = 395.8 }
-contact = [{ dof = 0, gap = 0.2263 }, { normal = [[0, -1.0]], gap = 0.09217 }])"),
-             {.transient = 1200, .periods = 400});
+contact = [{ dof = 0, gap = 0.2263 }, { normal = [[0, -1.0]], gap = 0.09217 }])");
+}
+
+TEST(LongMotion, IsNotPeriodicWhereItPassesAStableOrbit) {
+  const Followed found = follow(passing_an_orbit(), {.transient = 1200, .periods = 400});
   EXPECT_EQ(found.motion.verdict, LongRun::irregular)
       << found.motion.reason << " after " << found.motion.settled_after;
+}
+
+// The largest exponent by two motions side by side, without derivatives, the second brought near to the first
+// again after each period.
+double exponent_of_neighbours(const Problem& problem, int periods, Integrator integrator) {
+  constexpr double kApart = 1e-5;
+  const ContactDynamics dynamics(problem);
+  EventFlow flow(
+      dynamics, 1e-12, [] { return false; }, integrator);
+  PeriodMap map(flow);
+  const auto after = [&map](FlowState state, int count) {
+    FlowRecord unused;
+    map.apply(state, count, unused);
+    return state;
+  };
+  FlowState one = after(flow.place(0.0, dynamics.at_rest()), 20);
+  Eigen::VectorXd apart = Eigen::VectorXd::Unit(dynamics.states(), 0) * kApart;
+  double sum = 0.0;
+  for (int n = 0; n < periods; ++n) {
+    const FlowState other = after(flow.place(0.0, map.unscaled(map.scaled(one.state) + apart)), 1);
+    one = after(one, 1);
+    apart = map.scaled(other.state) - map.scaled(one.state);
+    sum += std::log(apart.norm() / kApart);
+    apart *= kApart / apart.norm();
+  }
+  return sum / (periods * problem.forcing_period());
+}
+
+// Thirty periods remain once directions have turned: the error is wider, and holds what more periods have.
+TEST(LongMotion, IsIrregularAfterFewPeriodsWithAWiderError) {
+  const Problem problem = passing_an_orbit();
+  const double neighbours = exponent_of_neighbours(problem, 150, Integrator::cvode);
+  const LongMotion few = follow(problem, {.transient = 60, .periods = 40}).motion;
+  EXPECT_EQ(few.verdict, LongRun::irregular) << few.reason;
+  EXPECT_NEAR(few.lyapunov.front().value, neighbours, few.lyapunov.front().error + 0.03);
+  EXPECT_LT(few.lyapunov.front().error, 0.1);
+}
+
+TEST(LongMotion, OfATubeBetweenStopsIsIrregular) {
+  const Problem problem = tube_between_stops();
+  const double neighbours = exponent_of_neighbours(problem, 100, Integrator::modal);
+  const LongMotion tube = follow(problem, {.transient = 16, .periods = 80}).motion;
+  EXPECT_EQ(tube.verdict, LongRun::irregular) << tube.reason;
+  EXPECT_NEAR(tube.lyapunov.front().value, neighbours, tube.lyapunov.front().error + 0.2 * neighbours);
+  EXPECT_LT(tube.lyapunov.front().error, 0.5 * neighbours);
+}
+
+LongMotion follow_until(const Problem& problem, const Deadline& deadline) {
+  const ContactDynamics dynamics(problem);
+  const EventFlow flow(
+      dynamics, 1e-10, [] { return false; }, Integrator::modal);
+  return follow_long_motion(dynamics, flow.place(0.0, dynamics.at_rest()),
+                            {.transient = 10'000'000, .periods = 10'000'000}, deadline);
+}
+
+TEST(LongMotion, IsToldFromWhatTheTimeAllowed) {
+  const LongMotion cut = follow_until(passing_an_orbit(), Deadline::after(0.5));
+  EXPECT_EQ(cut.verdict, LongRun::irregular) << cut.reason;
+  EXPECT_GT(cut.measured, 30);
+  EXPECT_LT(cut.measured, 10'000'000);
+  const LongMotion none = follow_until(passing_an_orbit(), Deadline::min());
+  EXPECT_EQ(none.verdict, LongRun::undecided);
+  EXPECT_EQ(none.reason, "not periodic, and only 0 periods could be measured: more time decides");
 }
 
 Problem impact_oscillator(const std::string& frequency) {

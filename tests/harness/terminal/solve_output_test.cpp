@@ -107,6 +107,10 @@ TEST(AnswerText, NamesTheOptionThatGivesAMethodMoreTime) {
   record.status = Status::timeout;
   record.message = "the time is up";
   EXPECT_EQ(answer_text(record, {}), "a/b: timeout\n  the time is up\n  --timeout gives it more time\n");
+  record.method = "exact-orbit";
+  record.scene = "tube.toml";
+  EXPECT_EQ(lines_of(answer_text(record, {})).back(),
+            "  if it never repeats: `signorini motion tube.toml` tells what a machine does");
 }
 
 TEST(JudgementText, SaysWhetherTheOrbitIsReachedFromRest) {
