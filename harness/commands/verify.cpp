@@ -251,9 +251,10 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder, con
   print_unjudged(kept, result);
   if (result.cases == result.remarks.size() && result.differences.empty() && !result.interrupted)
     throw NothingMatched(fmt::format("dir = {} (holds no case that can be judged here)", name));
-  fmt::print(
-      "{} cases, {} differences{}\n", result.cases, result.differences.size(),
-      result.remarks.empty() ? "" : fmt::format(", {} not told for want of time", result.remarks.size()));
+  fmt::print("{} cases, {} differences{}\n", result.cases, result.differences.size(),
+             result.remarks.empty()
+                 ? ""
+                 : fmt::format(", {} not decided within the time limit", result.remarks.size()));
   if (!result.time_ratios.empty()) {
     fmt::print("time, new over kept: {:.3g} in the median of {} cases\n", median(result.time_ratios),
                result.time_ratios.size());
