@@ -287,7 +287,7 @@ void add_verify_command(const Command& program) {
           "events within {:g} times the sum of both error bars plus {:g} of a period, with the same "
           "multipliers and stability. Of a folder with records.jsonl: runs the cases again; each must end "
           "with the same status and an error of x within a factor of {:g} or below ten error bars, while "
-          "times are only reported. Of a file that `pack` made: the same, once its hashes are found right; "
+          "times are only reported. Of a file that `pack` made: the same, after a check of its hashes; "
           "nothing in it is run. Cases of methods and scenes that are not here are left out and counted. "
           "Exit code 0 if all is the same, 1 if not, 3 if no case can be judged.",
           kErrorBars, kInstantFloor, kErrorFactor));
