@@ -62,8 +62,8 @@ void show_history(const HistoryArguments& arguments) {
 void add_history_command(const Command& program) {
   const auto [command, arguments] = program.command(
       "history", show_history,
-      "Runs of one suite by date: how many of the cases that all of them have are certified, the median "
-      "error and the mean time, as on the machine of the first by the calibration solves of the runs.");
+      "Runs of one suite by date, over the cases that all of them have: the number certified, the median "
+      "error, and the mean time, converted to the machine of the first run by the calibration solves.");
   command.option("dirs", arguments->places, "folders of runs, or packs", {.required = true});
   add_plot_option(command, arguments->plot, "the same over the dates");
   add_column_option(command, arguments->column, "--plot");

@@ -300,9 +300,9 @@ void add_motion_command(const Command& program) {
   command.option(
       "--from-state", arguments->states,
       "a file of states to start from in place of rest, one per line: displacements, then velocities "
-      "of all coordinates at t = 0, faces of damped stops last; told from stops and bases that move",
+      "of all coordinates at t = 0, faces of damped stops last; relative to stops and bases that move",
       {.type_name = "FILE"});
-  command.option("--starts", arguments->starts, "random states to start from besides", {.range = {0, 10000}});
+  command.option("--starts", arguments->starts, "further starts from random states", {.range = {0, 10000}});
   command.option("--seed", arguments->seed, "of the random states");
   command.option("--transient", arguments->options.transient,
                  "forcing periods in which the motion may settle, at most", {.range = {1, kMostPeriods}});

@@ -87,7 +87,7 @@ void print_remarks(const SceneOrbits& found, const OrbitSearchOptions& options, 
   int failed = 0;
   for (const auto& [reason, count] : found.failures) failed += count;
   fmt::print(stderr, "{} searches, {} of them without an exact motion\n", found.searches, failed);
-  for (const auto& [reason, count] : found.failures) fmt::print(stderr, "  {} x {}\n", count, reason);
+  for (const auto& [reason, count] : found.failures) fmt::print(stderr, "  {1}: {0}\n", count, reason);
   for (const auto& [how, names] : found.losses)
     fmt::print(stderr, "  lost: {} x {} ({})\n", names.size(), how, joined(names, ", "));
   if (found.expired)

@@ -91,11 +91,11 @@ void fetch(const FetchArguments& arguments) {
 }  // namespace
 
 void add_fetch_command(const Command& program) {
-  const auto [command, arguments] =
-      program.command("fetch", fetch,
-                      "Packs of an archive, whose index is what `sha256sum *.tar.gz` prints: lists them, or "
-                      "copies them into a folder, each once its hash is found to be the one in the index. "
-                      "Nothing in them is run. URLs are fetched by the program curl.");
+  const auto [command, arguments] = program.command(
+      "fetch", fetch,
+      "Lists the packs of an archive, or copies them into a folder after a check of their hashes "
+      "against the index, which is the output of `sha256sum *.tar.gz`. "
+      "Nothing in them is run. URLs are fetched by the program curl.");
   command.option("index", arguments->index, "the index: a file or a URL; the packs lie beside it",
                  {.required = true});
   command.option("--packs", arguments->packs, "packs by glob on their names");

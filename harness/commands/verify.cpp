@@ -251,9 +251,10 @@ int verify_records(const VerifyArguments& arguments, const fs::path& folder, con
   print_unjudged(kept, result);
   if (result.cases == result.remarks.size() && result.differences.empty() && !result.interrupted)
     throw NothingMatched(fmt::format("dir = {} (holds no case that can be judged here)", name));
-  fmt::print(
-      "{} cases, {} differences{}\n", result.cases, result.differences.size(),
-      result.remarks.empty() ? "" : fmt::format(", {} not told for want of time", result.remarks.size()));
+  fmt::print("{} cases, {} differences{}\n", result.cases, result.differences.size(),
+             result.remarks.empty()
+                 ? ""
+                 : fmt::format(", {} not decided within the time limit", result.remarks.size()));
   if (!result.time_ratios.empty()) {
     fmt::print("time, new over kept: {:.3g} in the median of {} cases\n", median(result.time_ratios),
                result.time_ratios.size());
@@ -286,7 +287,7 @@ void add_verify_command(const Command& program) {
           "events within {:g} times the sum of both error bars plus {:g} of a period, with the same "
           "multipliers and stability. Of a folder with records.jsonl: runs the cases again; each must end "
           "with the same status and an error of x within a factor of {:g} or below ten error bars, while "
-          "times are only reported. Of a file that `pack` made: the same, once its hashes are found right; "
+          "times are only reported. Of a file that `pack` made: the same, after a check of its hashes; "
           "nothing in it is run. Cases of methods and scenes that are not here are left out and counted. "
           "Exit code 0 if all is the same, 1 if not, 3 if no case can be judged.",
           kErrorBars, kInstantFloor, kErrorFactor));

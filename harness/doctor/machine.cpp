@@ -53,7 +53,7 @@ MachineProperty turbo(const fs::path& root) {
 MachineProperty simultaneous_threads(const fs::path& root) {
   const std::string active = first_line(root / "sys/devices/system/cpu/smt/active");
   const bool on = active == "1";
-  return property("simultaneous threads",
+  return property("hyper-threading (SMT)",
                   active.empty() ? ""
                   : on           ? "on"
                                  : "off",
@@ -72,7 +72,7 @@ MachineProperty hypervisor(const fs::path& root) {
   for (std::string line; std::getline(info, line);) {
     if (line.starts_with("flags") && (line + " ").find(" hypervisor ") != std::string::npos)
       return property("virtual machine", "yes", false,
-                      "its neighbours on the host may take processor and cache at any moment");
+                      "other virtual machines on the host may take processor and cache at any moment");
   }
   return property("virtual machine", "no", true, "");
 }
@@ -102,7 +102,7 @@ MachineProperty load(const fs::path& root) {
 
 MachineProperty build_type() {
   return property("build", std::string(build_info().build_type), build_may_be_timed(),
-                  "times are not recorded by it; build with the preset release");
+                  "this build records no times; build with the preset release");
 }
 
 MachineProperty clock_resolution() {
@@ -185,11 +185,10 @@ MachineProperty other_work() {
   }
   const double seconds = static_cast<double>(all) / static_cast<double>(sysconf(_SC_CLK_TCK));
   const double share = seconds / std::chrono::duration<double>(kWatch).count();
-  return property("other processes",
-                  busiest.empty()
-                      ? "idle"
-                      : fmt::format("{:.0f} % of a processor, most of it {}", 100.0 * share, busiest),
-                  share < 0.05, "they take processor, cache and memory; stop them");
+  return property(
+      "other processes",
+      busiest.empty() ? "idle" : fmt::format("{:.0f} % of a processor, most by `{}`", 100.0 * share, busiest),
+      share < 0.05, "they take processor, cache and memory; stop them");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct MachineProperty {
   std::string advice = {};  ///< its effect on times and a remedy; empty if good
 };
 
-/// Properties that the system's files below `root` give (/proc, /sys): governor, turbo, simultaneous threads,
+/// Properties that the system's files below `root` give (/proc, /sys): governor, turbo, hyper-threading,
 /// clock, hypervisor, stolen time, load.
 std::vector<MachineProperty> examine_system(const std::filesystem::path& root = "/");
 

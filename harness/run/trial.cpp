@@ -231,7 +231,7 @@ void take_times(const Trial& trial, const FirstCall& first, Record& record) {
 void take_certificate(const Trial& trial, const std::shared_ptr<const Trajectory>& answer,
                       const Motion& motion, Record& record) {
   const Problem problem = under_law(trial.scene.problem, trial.law);
-  CertifiedAnswer certified{.certificate = {.reason = "no certificate is asked for (--certificate 0)"}};
+  CertifiedAnswer certified{.certificate = {.reason = "switched off by --certificate 0"}};
   if (const double seconds = trial.limits.certificate_timeout; seconds > 0.0)
     certified = certify(problem, answer, motion, trial.reference, trial.orbits, Deadline::after(seconds));
   record.certificate = certified.certificate;

@@ -47,7 +47,7 @@ struct AttractorsAt {
 /// How they are looked for.
 struct AttractorOptions {
   int starts = 10;        ///< from rest and from random states, those of `motion`; >= 1
-  int jobs = 1;           ///< values looked at at the same time, in processes of their own
+  int jobs = 1;           ///< values computed at the same time, in processes of their own
   double timeout = 10.0;  ///< processor time of all starts at one value [s]
 };
 

@@ -51,7 +51,7 @@ void add_attractor_options(const Command& command, SweepArguments& arguments) {
       "starts. With --methods exact-orbit branches begin at these motions too, and those on no branch are "
       "listed",
       {.range = {1, 10000}});
-  command.option("--jobs", arguments.attractors.jobs, "with --attractors: values looked at at the same time",
+  command.option("--jobs", arguments.attractors.jobs, "with --attractors: values computed at the same time",
                  {.range = {1, 1024}});
 }
 

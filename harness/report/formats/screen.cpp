@@ -88,7 +88,7 @@ std::string status_of_case(const Evaluation& evaluation, const std::string& case
 ScreenLines unexpected_lines(const Evaluation& evaluation, const std::vector<std::string>& cases) {
   if (cases.empty()) return {};
   constexpr std::size_t kMostCases = 4;
-  ScreenLines lines{{fmt::format("{} did not converge that {} expected to:",
+  ScreenLines lines{{fmt::format("{} failed or {} refuted, unexpectedly:",
                                  plural(static_cast<std::ptrdiff_t>(cases.size()), "case"),
                                  cases.size() == 1 ? "was" : "were"),
                      Emphasis::bad}};

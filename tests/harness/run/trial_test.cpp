@@ -52,7 +52,7 @@ TEST(RunTrial, SaysThatNoCertificateIsAskedForWhereItMayTakeNoTime) {
   const Record record = stages_of("good", true, 0, true, 0.0).back();
   EXPECT_EQ(record.status, Status::converged);
   EXPECT_EQ(record.certificate.status, CertificateStatus::none);
-  EXPECT_EQ(record.certificate.reason, "no certificate is asked for (--certificate 0)");
+  EXPECT_EQ(record.certificate.reason, "switched off by --certificate 0");
   EXPECT_FALSE(record.certificate.expired.has_value());
 }
 

@@ -158,11 +158,11 @@ TEST(Screen, NamesTheFirstCasesThatWereNotExpectedToFail) {
   context.unexpected = {"s3/fast[n=2]"};
   const Evaluation evaluation(records_with_known_winners());
   EXPECT_NE(screen_report(evaluation, context)
-                .find("1 case did not converge that was expected to:\n  s3/fast[n=2]: timeout\n"),
+                .find("1 case failed or was refuted, unexpectedly:\n  s3/fast[n=2]: timeout\n"),
             std::string::npos);
   context.unexpected.assign(9, "s3/" + std::string(100, 'x'));
   const std::string screen = screen_report(evaluation, context);
-  EXPECT_NE(screen.find("9 cases did not converge that were expected to:\n"), std::string::npos) << screen;
+  EXPECT_NE(screen.find("9 cases failed or were refuted, unexpectedly:\n"), std::string::npos) << screen;
   EXPECT_NE(screen.find("\n  and 6 more\n"), std::string::npos) << screen;
   expect_one_screen(screen);
 }
