@@ -12,6 +12,8 @@ void ClosedFormStretch::start(const ContactMode&, const FlowState& flow, double 
   constexpr double kSteps = 8.0, kDenseSteps = 16.0;  // per fastest period
   begin_ = end_ = flow.time;
   stop_ = end;
+  arc_.reset();
+  flows_.bound_memory();
   arc_ = flows_.of(flow.closed).arc();
   arc_->start(flow.time, flow.state);
   angle_ = kTwoPi / (dense ? kDenseSteps : kSteps);

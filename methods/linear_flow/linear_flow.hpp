@@ -175,6 +175,9 @@ class LinearFlows {
       : dynamics_(dynamics), form_(form), shared_(std::move(shared)) {}
   /// The flow in which exactly the contacts with closed[j] are closed. \throws std::runtime_error
   const LinearFlow& of(const std::vector<bool>& closed);
+  /// Lets all of them go once they take more than `most` bytes, with the modes that they share: a motion that
+  /// never repeats may meet ever new sets of closed contacts. Nothing may use a flow any more.
+  void bound_memory(double most = 1e9);
   [[nodiscard]] const ContactDynamics& dynamics() const { return dynamics_; }  ///< of the scene
 
  private:

@@ -91,4 +91,12 @@ const LinearFlow& LinearFlows::of(const std::vector<bool>& closed) {
   return *flow;
 }
 
+void LinearFlows::bound_memory(double most) {
+  constexpr double kOfEachPair = 200.0;  // bytes of a flow for each pair of coordinates, as measured
+  const auto size = static_cast<double>(dynamics_.size());
+  if (kOfEachPair * size * size * static_cast<double>(flows_.size()) < most) return;
+  flows_.clear();
+  if (shared_) shared_->clear();
+}
+
 }  // namespace signorini

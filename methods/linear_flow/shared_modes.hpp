@@ -25,6 +25,7 @@ class SharedModes {
   /// modal_basis(equations); the unit of time in which the energy is shifted may be that of a scene before,
   /// which changes the modes by rounding.
   std::shared_ptr<const ModalBasis> of(const ModeEquations& equations);
+  void clear() { entries_.clear(); }                   ///< forgets all modes
   [[nodiscard]] long found() const { return found_; }  ///< how often modes were found anew
 
  private:

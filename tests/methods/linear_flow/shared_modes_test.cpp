@@ -78,6 +78,21 @@ TEST(SharedModes, AreForFlowsOfSoManyCoordinates) {
   EXPECT_THROW(flow(2), std::runtime_error);
 }
 
+// Three coordinates take less than a megabyte: a limit below lets flows and modes go.
+TEST(LinearFlows, GoWithTheirModesWhereTheyTakeTooMuchMemory) {
+  const ContactDynamics three(test::stopped_chain(3, 0.0, 3));
+  const auto shared = std::make_shared<SharedModes>();
+  LinearFlows flows(three, FlowForm::automatic, shared);
+  (void)flows.of(kOpen);
+  flows.bound_memory();
+  (void)flows.of(kOpen);
+  EXPECT_EQ(shared->found(), 1);
+  flows.bound_memory(1.0);
+  LinearFlows own(three);
+  EXPECT_LT(difference(flows.of(kOpen), own.of(kOpen)), 1e-13);
+  EXPECT_EQ(shared->found(), 2);
+}
+
 TEST(SharedModes, AreFoundAnewForAnotherStructure) {
   EXPECT_EQ(found_after([](Problem& chain) {
               chain.edit_structure([](Structure& s) { s.stiffness.coeffRef(1, 1) += 1e-9; });
