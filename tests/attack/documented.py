@@ -93,7 +93,7 @@ COMMANDS = {
         ["--json"], ["--plot", "p.svg"], ["--waveform", "w.csv"], ["--first", "2"], ["--exponents", "1"], ["--transient", "2"]),
     ("reduce", "SCENE", "--out", "reduced.toml"): (["--vectors", "1"],),
     ("check", "hat-lcp", "--scenes", "SCENE", "--timeout", "1", "--checks", "*-scaling"): (["--json"],),
-    ("run", "quick", "--scenes", "SCENE", "--methods", "hat-lcp[samples=32]:exact-orbit", "--timeout", "2", "--repetitions", "1", "--out", "run"): (
+    ("run", "smoke", "--scenes", "SCENE", "--methods", "hat-lcp[samples=32]:exact-orbit", "--timeout", "2", "--repetitions", "1", "--out", "run"): (
         ["--resume"], ["--waveforms"], ["--verbose"], ["--jobs", "2"]),
     SWEEP: (["--format", "json"], ["--format", "csv"], ["--format", "jsonl"], ["--plot", "p.svg"], ["--max-order", "2"], ["--at", "1.0"],
             ["--bifurcation"], ["--search", "1"], ["--natural"], ["--hz"], ["--out", "kept"], ["--attractors", "1", "--timeout", "1"],
