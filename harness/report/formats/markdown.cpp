@@ -42,14 +42,15 @@ std::string table_for(const std::string& words, std::span<const Section> section
 }
 
 // A table, as far as it has room.
-std::string shortened(Table table, std::size_t most) {
-  const std::string whole = to_markdown(table);
+std::string shortened(const Table& table, std::size_t most) {
+  std::string whole = to_markdown(table);
   const std::size_t rows = table.rows.size();
   if (whole.size() <= most || rows < 2) return whole;
   // Lines are of the same length, heads and rows alike.
-  table.rows.resize(std::max<std::size_t>(1, rows * most / whole.size()));
-  return to_markdown(table) + fmt::format("\n{} of {} rows; `signorini report --format whole` writes all.\n",
-                                          table.rows.size(), rows);
+  const auto shown = std::max<std::size_t>(1, rows * most / whole.size());
+  const auto begin = table.rows.begin();
+  return to_markdown({table.header, {begin, begin + static_cast<std::ptrdiff_t>(shown)}}) +
+         fmt::format("\n{} of {} rows; `signorini report --format whole` writes all.\n", shown, rows);
 }
 
 }  // namespace

@@ -71,12 +71,6 @@ std::vector<OrbitBranch> branches_of(const TracedCurve& forward, const TracedCur
   return {joined(backward.branch, forward.branch)};
 }
 
-std::vector<ParameterRange> ranges_of(const std::vector<OrbitBranch>& branches) {
-  std::vector<ParameterRange> ranges;
-  for (const OrbitBranch& branch : branches) ranges.push_back(range_of(branch));
-  return ranges;
-}
-
 // Parts of the interval that no range holds and that are worth a search.
 std::vector<ParameterRange> wide_gaps(std::vector<ParameterRange> held, const ParametrisedScene& scene) {
   constexpr double kWide = 0.002;  // of the interval
@@ -87,19 +81,28 @@ std::vector<ParameterRange> wide_gaps(std::vector<ParameterRange> held, const Pa
   return gaps;
 }
 
-// The values at which motions are searched, as long as this finds some.
+// What branches leave out of the interval, and the values at which motions are searched there, as long as
+// this finds some.
 class GapSearch {
  public:
-  // A value in the widest part of the interval that no range holds; empty where none is wide, or enough was
-  // searched.
-  std::optional<double> next(std::vector<ParameterRange> held, const ParametrisedScene& scene) {
+  explicit GapSearch(const ParametrisedScene& scene) : scene_(scene) {}
+
+  // Wide parts of the interval that no branch holds. \param branches  those of the last call and others after
+  std::vector<ParameterRange> gaps(const std::vector<OrbitBranch>& branches) {
+    while (held_.size() < branches.size()) held_.push_back(range_of(branches[held_.size()]));
+    return wide_gaps(held_, scene_);
+  }
+  // A value in the widest part that neither the branches of the last call hold nor was asked; empty where
+  // none is wide, or enough was searched.
+  std::optional<double> next() {
     constexpr std::size_t kMost = 16;
     constexpr int kMostInVain = 4;    // in a row
     constexpr double kInside = 0.47;  // of the gap: nothing special is there
     constexpr double kApart = 1e-3;   // of the gap, which it parts
     if (asked_.size() >= kMost || in_vain_ >= kMostInVain) return std::nullopt;
-    held.insert(held.end(), asked_.begin(), asked_.end());
-    const std::vector<ParameterRange> gaps = wide_gaps(std::move(held), scene);
+    std::vector<ParameterRange> known = held_;
+    known.insert(known.end(), asked_.begin(), asked_.end());
+    const std::vector<ParameterRange> gaps = wide_gaps(std::move(known), scene_);
     const auto width = [](const ParameterRange& gap) { return gap.high - gap.low; };
     const auto widest = std::ranges::max_element(gaps, {}, width);
     if (widest == gaps.end()) return std::nullopt;
@@ -110,7 +113,8 @@ class GapSearch {
   void ended(bool in_vain) { in_vain_ = in_vain ? in_vain_ + 1 : 0; }
 
  private:
-  std::vector<ParameterRange> asked_;
+  const ParametrisedScene& scene_;
+  std::vector<ParameterRange> held_, asked_;  // by branches; short parts beside the values
   int in_vain_ = 0;
 };
 
@@ -149,7 +153,7 @@ constexpr std::size_t kMostEvents = 48;  // of a period, beyond which a branch c
 class DiagramTracer {
  public:
   DiagramTracer(OrbitFamily& family, const CurveLimits& limits, const std::optional<ParameterRange>& energies)
-      : family_(family), limits_(limits), energies_(energies), queue_(limits) {}
+      : family_(family), limits_(limits), energies_(energies), queue_(limits), search_(family.scene()) {}
 
   OrbitDiagram run(const std::vector<SequencedOrbit>& seeds, const OrbitsAt& more,
                    const std::vector<CurveStart>& starts) {
@@ -158,7 +162,7 @@ class DiagramTracer {
     for (const SequencedOrbit& seed : seeds)
       if (!queue_.is_over()) add_seed(seed);
     while (true) {
-      const std::vector<ParameterRange> gaps = wide_gaps(ranges_of(queue_.branches()), family_.scene());
+      const std::vector<ParameterRange> gaps = search_.gaps(queue_.branches());
       const auto fills = [&](const CurveStart& start) {
         return start.periods() == 1 && leads_into(start, family_.units().parameter, gaps);
       };
@@ -179,7 +183,7 @@ class DiagramTracer {
  private:
   // Looks for orbits in the widest part of the interval that no branch holds; false where this has an end.
   bool fill(const OrbitsAt& more) {
-    const auto value = search_.next(ranges_of(queue_.branches()), family_.scene());
+    const auto value = search_.next();
     if (!value || queue_.is_over()) return false;
     const std::size_t before = queue_.branches().size();
     for (const SequencedOrbit& orbit : more(*value)) add_seed(orbit);
