@@ -75,12 +75,8 @@ std::unique_ptr<const LinearFlow> linear_flow(const ContactDynamics& dynamics, C
   ModeEquations equations(dynamics, std::move(mode));
   if (form == FlowForm::automatic) {
     auto basis = shared ? shared->of(equations) : modal_basis(equations);
-    if (basis && !resonates(equations, basis->reduced)) {
-      // Modes need these no more: they are a fifth of what a flow of many coordinates keeps.
-      equations.form.stiffness.resize(0, 0);
-      equations.form.damping.resize(0, 0);
+    if (basis && !resonates(equations, basis->reduced))
       return std::make_unique<ModalFlow>(std::move(equations), std::move(basis));
-    }
   }
   return std::make_unique<ExponentialFlow>(std::move(equations));
 }

@@ -49,7 +49,8 @@ MassForm ModeEquations::mass_form() const {
     return extended::transposed_product(Q, extended::product(wide, Q));
   };
   const FlowStructure& s = structure();
-  return {reduced(s.mass), reduced(form.damping), reduced(form.stiffness)};
+  return {reduced(s.mass), reduced(dynamics->stops().damping(mode)),
+          reduced(dynamics->stops().stiffness(mode))};
 }
 
 Eigen::Index ModeEquations::force_row(int contact) const {

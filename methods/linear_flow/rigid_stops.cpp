@@ -97,9 +97,9 @@ class RigidStops final : public Stops {
     Eigen::MatrixXd of_state = Eigen::MatrixXd::Zero(active, structure_.states()),
                     held_rows = Eigen::MatrixXd::Zero(back.rows(), structure_.states());
     held_rows.leftCols(n) =
-        others_ ? product(back, form.stiffness) : product_by_sparse(back, structure_.stiffness);
+        others_ ? product(back, stiffness(mode)) : product_by_sparse(back, structure_.stiffness);
     held_rows.rightCols(n) =
-        others_ ? product(back, form.damping) : product_by_sparse(back, structure_.damping);
+        others_ ? product(back, damping(mode)) : product_by_sparse(back, structure_.damping);
     Eigen::MatrixXcd of_load(active, structure_.load.cols());
     const auto write = [&](const ContactMode& of, const Eigen::MatrixXd& state,
                            const Eigen::MatrixXcd& load) {
@@ -112,7 +112,7 @@ class RigidStops final : public Stops {
     write(held, held_rows, product_of_complex(-back, form.load));
     write(pushing, form.force_of_state, form.force_of_load);
     if (others_) {  // the offset bends the springs, too
-      const Eigen::VectorXd bent = form.stiffness * form.offset - structure_.stiffness * form.offset;
+      const Eigen::VectorXd bent = stiffness(mode) * form.offset - structure_.stiffness * form.offset;
       form.load.col(0) -= bent.cast<std::complex<double>>();
     }
     form.force_of_state = std::move(of_state);

@@ -49,6 +49,7 @@ std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations
   const std::optional<GroundedSprings> springs = springs_of(equations);
   std::shared_ptr<const ModalBasis> open;
   SparseMatrix mass;
+  Eigen::MatrixXd damping, stiffness;
   if (springs) {
     const std::vector<bool> none(static_cast<std::size_t>(equations.structure().contact_count()), false);
     open = of(ModeEquations(*equations.dynamics, equations.dynamics->mode(none)));
@@ -57,7 +58,9 @@ std::shared_ptr<const ModalBasis> SharedModes::of(const ModeEquations& equations
   if (open) {
     others.push_back(&equations.mode.response);
   } else {
-    others.insert(others.end(), {&form.damping, &form.stiffness, &form.basis});
+    damping = equations.dynamics->stops().damping(equations.mode);
+    stiffness = equations.dynamics->stops().stiffness(equations.mode);
+    others.insert(others.end(), {&damping, &stiffness, &form.basis});
     mass = equations.structure().mass;
   }
   const auto equal = [](const Eigen::MatrixXd& kept, const Eigen::MatrixXd* now) {

@@ -69,11 +69,8 @@ void Stops::forces(const ContactMode& mode, double time, const State& state, Eig
 
 FreeForm Stops::open_form() const {
   const int n = structure_.size();
-  return {.basis = Eigen::MatrixXd::Identity(n, n),
-          .offset = Eigen::VectorXd::Zero(n),
-          .stiffness = structure_.stiffness,
-          .damping = structure_.damping,
-          .load = structure_.load};
+  return {
+      .basis = Eigen::MatrixXd::Identity(n, n), .offset = Eigen::VectorXd::Zero(n), .load = structure_.load};
 }
 
 namespace {
@@ -121,6 +118,7 @@ class CompliantStops final : public Stops {
   }
 
   [[nodiscard]] Eigen::MatrixXd stiffness(const ContactMode& mode) const override {
+    if (mode.active.empty()) return structure_.stiffness;
     const Eigen::MatrixXd active = columns_of(structure_.directions, mode.active);
     return plus_product_by_transposed(structure_.stiffness, product(active, mode.response), active);
   }
@@ -130,7 +128,6 @@ class CompliantStops final : public Stops {
     FreeForm form = open_form();
     if (mode.active.empty()) return form;
     const int n = structure_.size();
-    form.stiffness = stiffness(mode);
     const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
     const Eigen::MatrixXd pull = product(W, mode.response);
     Eigen::MatrixXcd depth = rows_of(structure_.shift, mode.active);
@@ -224,8 +221,6 @@ class RelaxingStops final : public Stops {
     const Eigen::MatrixXd W = columns_of(structure_.directions, mode.active);
     const Eigen::VectorXd g = entries_of(structure_.gaps, mode.active);
     const Eigen::MatrixXd response = active > 0 ? mode.response : Eigen::MatrixXd(0, 0);
-    form.stiffness = stiffness(mode);
-    form.damping = damping(mode);
     Eigen::MatrixXcd depth = rows_of(structure_.shift, mode.active);
     depth.col(0) -= g.cast<Complex>();
     form.force_of_state = Eigen::MatrixXd::Zero(active, structure_.states());

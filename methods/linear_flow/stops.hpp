@@ -46,14 +46,13 @@ struct RelaxingForm {
 };
 
 /// A mode's equation of motion without its constraint: u = offset + basis q, and q obeys
-/// basis^T (M, damping, stiffness) basis under basis^T (load - K offset). Its contact forces are
+/// basis^T (M, D, K) basis, D and K those of Stops::damping and Stops::stiffness, under
+/// basis^T (load - K offset). Its contact forces are
 /// lambda_A = force_of_state (u, xi, v) + Re sum_h force_of_load_h e^{i r_h t}; empty where no contact is
 /// closed.
 struct FreeForm {
   Eigen::MatrixXd basis;                ///< Q, Nd x Nr, orthonormal; 1 where nothing is held
   Eigen::VectorXd offset;               ///< u_g, Nd [m]
-  Eigen::MatrixXd stiffness;            ///< K and the springs of closed stops, Nd x Nd [N/m]
-  Eigen::MatrixXd damping;              ///< D and their dashpots, Nd x Nd [N s/m]
   Eigen::MatrixXcd load;                ///< f_h and the forces of those springs at u = 0, Nd x Nh [N]
   Eigen::MatrixXd force_of_state = {};  ///< |A| x (Np + Nd)
   Eigen::MatrixXcd force_of_load = {};  ///< |A| x Nh [N]

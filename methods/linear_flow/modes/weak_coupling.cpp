@@ -21,12 +21,27 @@ ComplexModes ComplexModes::of_size(Eigen::Index modes, Eigen::Index coordinates)
 
 Eigen::VectorXcd ComplexModes::forced(const Eigen::VectorXcd& load, double rate) const {
   // Each mode of a pair answers by itself: q = sum_k U_k (of_load_k f) / (i rate - mu_k), conjugates
-  // included.
+  // included. Most loads act on few coordinates.
   const std::complex<double> i_rate(0.0, rate);
-  const Eigen::VectorXcd direct = (of_load * load).array() / (i_rate - mu.array());
-  const Eigen::VectorXcd mirrored =
-      (weight.array() - 1.0) * (of_load.conjugate() * load).array() / (i_rate - mu.array().conjugate());
-  return shapes * direct + shapes.conjugate() * mirrored;
+  Eigen::VectorXcd direct = Eigen::VectorXcd::Zero(mu.size()), mirrored = direct;
+  for (Eigen::Index i = 0; i < load.size(); ++i) {
+    if (load[i] == 0.0) continue;
+    direct += of_load.col(i) * load[i];
+    mirrored += of_load.col(i).conjugate() * load[i];
+  }
+  direct.array() /= i_rate - mu.array();
+  mirrored.array() *= (weight.array() - 1.0) / (i_rate - mu.array().conjugate());
+  // U d + U* m = Re U (d + m) + Im U i (d - m).
+  Eigen::VectorXcd q = Eigen::VectorXcd::Zero(shapes.rows());
+  for (Eigen::Index k = 0; k < mu.size(); ++k) {
+    const std::complex<double> sum = direct[k] + mirrored[k], difference = direct[k] - mirrored[k];
+    for (Eigen::Index i = 0; i < q.size(); ++i) {
+      const double real = shapes(i, k).real(), imaginary = shapes(i, k).imag();
+      q[i] += std::complex<double>(real * sum.real() - imaginary * difference.imag(),
+                                   real * sum.imag() + imaginary * difference.real());
+    }
+  }
+  return q;
 }
 
 namespace {

@@ -154,9 +154,8 @@ std::optional<GuardCrossing> first_crossing(ExtendedEquations& equations, const 
     if (first && value({}).value_or(0.0) > (squared ? kViolated : 0.0)) continue;
     // What had no maximum before, or is no larger than rounding, gets its sign inside the step.
     const bool positive = before != nullptr && before->value > 0.0;
-    const auto zero =
-        locate(AnyEquations(equations), {.x = begin.x, .tangent = begin.tangent, .length = length}, value,
-               positive ? std::optional(before->value) : std::nullopt, guard.value);
+    const auto zero = locate(by_motions(equations, begin), step_from(begin, length), value,
+                             positive ? std::optional(before->value) : std::nullopt, guard.value);
     if (!zero) return std::nullopt;
     // An impact that fades leaves a maximum of x at its instant: events, which are listed first, have
     // priority.
