@@ -49,6 +49,7 @@ namespace {
 
 constexpr std::size_t kDrawn = 300;  // instants of a motion that does not repeat
 constexpr int kPushing = 64;         // instants of a period at which a contact that pushes throughout does
+constexpr double kSame = 1e-5;       // of the largest extreme: what a motion that settles slowly is off
 
 std::size_t most_moved(const Attractor& attractor) {
   std::size_t most = 0;
@@ -97,7 +98,6 @@ double extent(const Attractor& one) {
 }
 
 bool equal_extremes(const Attractor& a, const Attractor& b) {
-  constexpr double kSame = 1e-6;
   const double accepted = kSame * std::max(extent(a), extent(b));
   const auto equal = [accepted](double one, double other) { return std::abs(one - other) <= accepted; };
   return std::ranges::equal(a.least, b.least, equal) && std::ranges::equal(a.largest, b.largest, equal);
@@ -108,7 +108,7 @@ bool repeats(const Attractor& one) {
 }
 
 bool passes(const Branch& branch, double value, const Attractor& one) {
-  constexpr double kSameValue = 1e-10, kSame = 1e-5;
+  constexpr double kSameValue = 1e-10;
   const double scale = extent(one);
   return std::ranges::any_of(branch.points, [&](const SolutionPoint& point) {
     if (std::abs(point.parameter - value) > kSameValue * std::abs(value) || point.order != one.order)

@@ -16,7 +16,7 @@
 namespace signorini {
 
 /// What some of the starts go to. Periodic motions and states of rest are told apart by order and extremes of
-/// x, within 1e-6 of the largest; irregular ones are not.
+/// x, within 1e-5 of the largest; irregular ones are not.
 struct Attractor {
   LongRun verdict = LongRun::undecided;
   int order = 0;                                 ///< forcing periods per period; 0 unless periodic

@@ -49,7 +49,7 @@ def swept(asked, file, frequency):
 
 
 def extremes(flow, draw, scale):
-    """Order, least and largest x of the contacts of what a random start settles to, or None."""
+    """Order, least and largest x of the contacts of what a random start settles to, and how far samples are off; or None."""
     n = flow.size
     u, v = (np.array([draw.uniform(-1.0, 1.0) for _ in range(n)]) * size for size in (scale, scale * flow.frequency))
     try:
@@ -59,7 +59,8 @@ def extremes(flow, draw, scale):
             come = flow.period_map(come, 1, kept)
             away = (come - z)[:2 * n] / np.repeat([scale, scale * flow.frequency], n)
             if np.abs(away).max() < NEAR:
-                return order, np.min(kept, axis=0), np.max(kept, axis=0)
+                # At an impact a sample is off by what x moves until the next one, half of it on the nearer side.
+                return order, np.min(kept, axis=0), np.max(kept, axis=0), np.abs(np.diff(kept, axis=0)).max(axis=0) / 2
     except own_flow.Lost:
         pass
     return None
@@ -80,10 +81,11 @@ def not_listed(scene, law, listed, draw, starts):
             if settled is None:
                 continue
             found += 1
-            order, least, largest = settled
+            order, least, largest, between = settled
             size = max(np.ptp([least, largest], axis=0).max(), 1e-3 * scale)
-            if not any(one["order"] == order and np.abs(np.array(one["x_min"]) - least).max() < SAME * size and
-                       np.abs(np.array(one["x_max"]) - largest).max() < SAME * size for one in at["attractors"]):
+            same = SAME * size + between
+            if not any(one["order"] == order and (np.abs(np.array(one["x_min"]) - least) < same).all() and
+                       (np.abs(np.array(one["x_max"]) - largest) < same).all() for one in at["attractors"]):
                 missing.append(f"order {order} at {at['value']:.6g}, x from {least} to {largest}")
     return found, missing
 

@@ -4,9 +4,10 @@
 usage: scaling.py PROGRAM [--only LINE ...] [--timeout SECONDS] [--memory MIB] [--out FOLDER]
 
 Makes scenes of one kind and growing size, runs a method on each and fits t ~ size^p to the upper half of the sizes that
-converged. Lines, by name: coordinates, contacts, nodes, harmonics. Lines that are not measured keep what FOLDER/scaling.csv
-has of them. Writes scaling.csv, table.md, scaling.svg (with Matplotlib) and manifest.json into FOLDER, results/scaling
-unless told. The figure is drawn where Matplotlib is there. Only certified answers enter the fits.
+converged. Lines, by name: coordinates, contacts, nodes, harmonics, points: the last of exact response curves, where the time
+is the processor's for one point with its stability. Lines that are not measured keep what FOLDER/scaling.csv has of them.
+Writes scaling.csv, table.md, scaling.svg (with Matplotlib) and manifest.json into FOLDER, results/scaling unless told. The
+figure is drawn where Matplotlib is there. Only certified answers enter the fits, and points of curves.
 """
 
 import argparse
@@ -16,10 +17,14 @@ import math
 import os
 import pathlib
 import platform
+import re
+import resource
 import subprocess
 import sys
 import tempfile
 import time
+import tomllib
+from typing import NamedTuple
 
 from limits import commit_of
 
@@ -80,11 +85,66 @@ def pad(bricks):
                         load=5.0, patch=f"[{3.5 - 0.005 * bricks - 1e-5}, 3.5], [0.0, 0.03]", gap=0.005)
 
 
+class SweptScene(NamedTuple):
+    """A scene, and the interval of the frequency over which its exact curves are followed [rad/s]."""
+    scene: str
+    begin: float
+    end: float
+
+
+ROD = """schema = 1
+name = "rod-{elements}"
+[system]
+kind = "bar"
+elements = {elements}
+length = 0.13
+area = 15.6e-4
+young = 210e9
+density = 7800.0
+damping = {{ modal = 7.5e-3 }}
+[forcing]
+frequency = 64000.0
+term = [{{ dof = {tip}, cos = 25e3 }}]
+[[contact]]
+dof = {tip}
+gap = 0.2e-3
+[law]
+penalty = 1.008e9
+"""
+MASS = """schema = 1
+name = "mass-{percent}"
+system = {{ kind = "sdof", mass = 1.0, damping = 0.1, stiffness = 1.0 }}
+forcing = {{ frequency = 0.1, term = [{{ dof = 0, cos = 1.0 }}] }}
+contact = [{{ dof = 0, gap = 0.2 }}]
+law = {{ restitution = {restitution} }}
+"""
+
+
+def rod(elements):
+    """The rod of [vadcard2022] in so many elements, its tip before a spring twenty times softer than itself."""
+    return SweptScene(ROD.format(elements=elements, tip=elements - 1), 6e4, 7e4)
+
+
+def guarded_chain(contacts):
+    """Twenty masses, the last of which presses; stops that the others never reach are watched, too."""
+    each = lambda value: "[" + ", ".join([str(value)] * 20) + "]"
+    stops = ", ".join(f"{{ dof = {19 - j}, gap = {4.0 if j else 0.4} }}" for j in range(contacts))
+    return SweptScene(f'schema = 1\nname = "chain-{contacts}"\nsystem = {{ kind = "chain", masses = {each(1.0)}, springs = {each(1.0)}, '
+                      f"dampers = {each(0.05)} }}\nforcing = {{ frequency = 0.1, term = [{{ dof = 19, cos = 0.05 }}] }}\n"
+                      f"contact = [{stops}]\nlaw = {{ penalty = 2.0 }}\n", 0.06, 0.1)
+
+
+def slow_mass(percent):
+    """A mass that a slow load lays on its stop: the more impacts before, the less of its speed it loses."""
+    return SweptScene(MASS.format(percent=percent, restitution=percent / 100), 0.1, 0.15)
+
+
 def of_catalogue(name):
     return (ROOT / f"problems/catalogue/{name}.toml").read_text()
 
 
-# Of each line: what it is, the method, the option that grows or none, and (size, scene) of each step.
+# Of each line: what it is, the method, the option that grows or none, and (size, scene) of each step; of points a scene with the
+# interval of its curve. A size of None is the mean number of events of its points.
 LINES = {
     "coordinates": [("exact-orbit, bar of n x 6 x 6 bricks, 7 contacts: coordinates", "exact-orbit[samples=64]", None,
                      [(147 * n, bar(n)) for n in (100, 200, 400, 800, 1600, 3200, 6400)])],
@@ -102,6 +162,11 @@ LINES = {
                    [(20 * 2**k, of_catalogue("sdof-stop")) for k in range(7)]),
                   ("fourier-lipschitz, block of nine contacts: harmonics", "fourier-lipschitz", "harmonics",
                    [(20 * 2**k, of_catalogue("block-nine-contacts")) for k in range(5)])],
+    "points": [("a point of an exact curve, rod: coordinates", "exact-orbit", None, [(n, rod(n)) for n in (10, 20, 50, 100, 200)]),
+               ("a point of an exact curve, chain of twenty masses: contacts", "exact-orbit", None,
+                [(n, guarded_chain(n)) for n in (1, 2, 5, 10, 20)]),
+               ("a point of an exact curve, one mass: events", "exact-orbit", None,
+                [(None, slow_mass(e)) for e in (10, 30, 50, 70, 80)])],
 }
 
 
@@ -125,6 +190,29 @@ def record_of(program, method, scene, limits):
         if outcome.returncode not in (0, 1):
             sys.exit(f"scaling: {outcome.stderr.strip()}")
         return json.loads((folder / "run/records.jsonl").read_text().splitlines()[0])
+
+
+def curve_row(program, line, what, size, method, swept, commit, timeout):
+    """The row of a response curve: `solve` is the processor's time of one of its points, `iterations` their number."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene = pathlib.Path(folder) / "scene.toml"
+        scene.write_text(swept.scene)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        outcome = subprocess.run([program, "sweep", scene, "--methods", method, "--from", str(swept.begin), "--to", str(swept.end),
+                                  "--max-branches", "4", "--total-time", str(timeout), "--format", "json"], capture_output=True,
+                                 text=True, check=False, env=dict(os.environ, OPENBLAS_NUM_THREADS="1"))
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if outcome.returncode not in (0, 6):
+        sys.exit(f"scaling: {outcome.stderr.strip()}")
+    branches = json.loads(outcome.stdout)["branches"]
+    points = sum(len(branch["points"]) for branch in branches)
+    events = sum(len(branch["points"]) * len(re.findall(r"\b[ICO]\d", branch["sequence"])) for branch in branches) / points
+    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    system = tomllib.loads(swept.scene)
+    coordinates = system["system"].get("elements") or len(system["system"].get("masses", [1]))
+    return {"line": line, "what": what, "size": size or round(events), "coordinates": coordinates, "contacts": len(system["contact"]),
+            "events": round(events), "status": "converged", "certificate": "", "error_bar": "", "setup": "", "solve": spent / points,
+            "iterations": points, "peak_mib": "", "commit": commit}
 
 
 def row_of(line, what, size, record, commit):
@@ -158,11 +246,12 @@ def write_table(rows, file):
     """A table of exponents, then one of every measurement."""
     lines = ["| what grows | from | to | set-up | solve | memory | not certified |", "|---|---|---|---|---|---|---|"]
     for what, series in series_of(rows):
-        good = [r for r in series if r["certificate"] == "certified"]
+        curves = series[0]["line"] == "points"
+        good = [r for r in series if curves or r["certificate"] == "certified"]
         fits = [exponent([r["size"] for r in good], [r[key] for r in good]) for key in ("setup", "solve", "peak_mib")]
         lines.append(f"| {what} | {series[0]['size']} | {series[-1]['size']} | "
                      + " | ".join("-" if p is None else f"{p:.2f}" for p in fits)
-                     + f" | {len(series) - len(good)} of {len(series)} |")
+                     + (" | - |" if curves else f" | {len(series) - len(good)} of {len(series)} |"))
     lines += ["", "| what grows | size | coordinates | contacts | events | status | certificate | bar | set-up [s] | solve [s] | "
               "iterations | peak [MiB] |", "|---|---|---|---|---|---|---|---|---|---|---|---|"]
     for what, series in series_of(rows):
@@ -175,7 +264,9 @@ def write_table(rows, file):
     file.write_text("# Scaling\n\nMeasured by tests/benchmarks/scaling.py, each size once; commits: " + ", ".join(commits)
                     + ". Exponents p of time and memory ~ size^p, fitted to the upper half of the sizes whose answers are "
                     "certified; of a few single runs, to a tenth at best. A line ends where it meets the limit of time or "
-                    "memory. Events are those of the orbit that certifies the answer.\n\n![Time over size](scaling.svg)\n\n"
+                    "memory. Events are those of the orbit that certifies the answer; of curves, which have no certificate, the "
+                    "mean of their points, `solve` the processor's time of one of them and `iterations` their number."
+                    "\n\n![Time over size](scaling.svg)\n\n"
                     + "\n".join(lines) + "\n")
 
 
@@ -203,7 +294,8 @@ def draw(rows, file):
             sizes = [float(r["size"]) for r in series]
             label = what.rsplit(":", 1)[0]
             (drawn,) = panel.loglog(sizes, [float(r["solve"]) for r in series], "o-", markersize=3, label=label)
-            panel.loglog(sizes, [float(r["setup"]) for r in series], ":", color=drawn.get_color())
+            if series[0]["setup"] not in ("", None):
+                panel.loglog(sizes, [float(r["setup"]) for r in series], ":", color=drawn.get_color())
         panel.set_xlabel(line)
         panel.legend(fontsize=6, loc="upper left")
         panel.grid(True, which="major", linewidth=0.3)
@@ -232,8 +324,11 @@ def main():
         rows = [r for r in rows if r["line"] != line]
         for what, method, option, steps in LINES[line]:
             for size, scene in steps:
-                row = row_of(line, what, size, record_of(program, with_option(method, option, size), scene, limits), commit)
-                print(f"{what} {size}: {row['status']}, {row['setup']} + {row['solve']} s", flush=True)
+                if isinstance(scene, SweptScene):
+                    row = curve_row(program, line, what, size, method, scene, commit, arguments.timeout)
+                else:
+                    row = row_of(line, what, size, record_of(program, with_option(method, option, size), scene, limits), commit)
+                print(f"{what} {row['size']}: {row['status']}, {row['setup']} + {row['solve']} s", flush=True)
                 rows.append(row)
                 write_rows(rows, table)
                 if row["status"] in ("timeout", "out-of-memory"):
