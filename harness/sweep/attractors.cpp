@@ -232,6 +232,43 @@ std::vector<std::string> off_branches(std::vector<AttractorsAt>& all, const std:
   return lines;
 }
 
+namespace {
+
+std::string describe_from_rest(const Attractor& one) {
+  switch (one.verdict) {
+    case LongRun::periodic:
+      return fmt::format("settles to a motion of {} period{} with {} event{}", one.order,
+                         one.order == 1 ? "" : "s", one.events.size(), one.events.size() == 1 ? "" : "s");
+    case LongRun::at_rest:
+      return "stays at rest";
+    case LongRun::undecided:
+      return "does not settle in the time that it was given";
+    default:
+      return fmt::format("is {}", name_of(one.verdict));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> motions_from_rest(const ParametrisedScene& scene, std::vector<ParameterRange> parts,
+                                           const std::string& unit, double timeout) {
+  constexpr std::size_t kMost = 3;
+  const auto width = [](const ParameterRange& part) { return part.high - part.low; };
+  std::ranges::stable_sort(parts, std::greater<>(), width);
+  if (parts.size() > kMost) parts.resize(kMost);
+  if (parts.empty() || !(timeout > 0.0)) return {};
+  std::vector<double> values;
+  for (const ParameterRange& part : parts) values.push_back(part.low + 0.5 * width(part));
+  std::vector<std::string> lines;
+  const AttractorOptions options{.starts = 1, .timeout = timeout / static_cast<double>(values.size())};
+  for (const AttractorsAt& at : attractors_over(scene, values, options)) {
+    for (const Attractor& one : at.attractors)
+      lines.push_back(
+          fmt::format("at {:.6g} {} the motion from rest {}", at.value, unit, describe_from_rest(one)));
+  }
+  return lines;
+}
+
 Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& parameter) {
   Table table{.header = {parameter, "goes to", "order", "share", "starts", "amplitude [m]", "from rest",
                          "on a branch"},

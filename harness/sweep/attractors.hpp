@@ -11,6 +11,7 @@
 #include "harness/motion/long_motion.hpp"
 #include "harness/records/record.hpp"
 #include "harness/table.hpp"
+#include "methods/continuation/interval_gaps.hpp"
 #include "methods/curve.hpp"
 
 namespace signorini {
@@ -70,6 +71,12 @@ std::vector<KnownMotion> motions_of(const ParametrisedScene& scene, const std::v
 /// \param max_order  of the branches
 std::vector<std::string> off_branches(std::vector<AttractorsAt>& all, const std::vector<Branch>& branches,
                                       const std::string& unit, int max_order);
+
+/// What starts at rest go to in the middle of parts of the interval, the widest three, in words: "at 85.5
+/// rad/s the motion from rest is irregular". \param unit  of the parameter \param timeout  processor time of
+/// all [s]
+std::vector<std::string> motions_from_rest(const ParametrisedScene& scene, std::vector<ParameterRange> parts,
+                                           const std::string& unit, double timeout);
 
 /// A row for each attractor. \param parameter  the title of the first column
 Table attractor_table(const std::vector<AttractorsAt>& all, const std::string& parameter);

@@ -148,6 +148,21 @@ int sweep_steps(const SweepArguments& arguments) {
   return all_converged(response.steps) ? kDone : kUnexpectedFailure;
 }
 
+std::string unit_of(const SweepArguments& arguments) {
+  return arguments.parameter == kFrequency ? "rad/s" : "of " + arguments.parameter;
+}
+
+// Notes of what the machine does where exact orbits have no motion, in what is left of the time.
+void tell_of_gaps(const Sweep& sweep, const ParametrisedScene& varied, const Deadline& deadline,
+                  MethodResponse& response) {
+  constexpr double kEnough = 10.0;  // s
+  const Problem& problem = sweep.scene.problem;
+  if (interrupted() || highest_load_harmonic(problem) == 0 || !flow_obstacle(problem).empty()) return;
+  for (std::string& line : motions_from_rest(varied, missing(response), unit_of(sweep.arguments),
+                                             std::min(kEnough, deadline.left())))
+    response.diagram.notes.push_back(std::move(line));
+}
+
 // What one method makes of the response, kept and printed as it comes where the format allows.
 void follow_response(Sweep& sweep, const ParametrisedScene& varied, const MethodChoice& method,
                      MethodResponse& response) {
@@ -178,6 +193,8 @@ void follow_response(Sweep& sweep, const ParametrisedScene& varied, const Method
   for (Branch& branch : response.diagram.branches) {
     if (!values.empty()) branch = points_at(branch, values);
   }
+  if (method.entry->exact && arguments.parameter != kEnergy)
+    tell_of_gaps(sweep, varied, limits.deadline, response);
 }
 
 void print(const SweepArguments& arguments, const std::vector<MethodResponse>& responses) {
@@ -280,9 +297,7 @@ AttractorBranches branches_at(std::vector<AttractorsAt>& found, const std::vecto
   result.responses = branches_of_methods(methods, silent, scene, varied, result.all);
   for (const MethodResponse& response : result.responses) {
     if (parse_method_label(response.method).method != exact.entry->name) continue;
-    result.off =
-        off_branches(found, response.diagram.branches,
-                     arguments.parameter == kFrequency ? "rad/s" : "of " + arguments.parameter, orders);
+    result.off = off_branches(found, response.diagram.branches, unit_of(arguments), orders);
   }
   return result;
 }

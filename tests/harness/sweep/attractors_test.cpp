@@ -42,6 +42,26 @@ TEST(Attractors, AreThePeriodicMotionThatEveryStartReaches) {
   EXPECT_EQ(at.attractors[0].once_a_period.size(), 1U);
 }
 
+TEST(Attractors, TellWhatRestGoesToInTheWidestPartsFirst) {
+  const Problem problem = read_scene(find_scene("sdof-stop-e08")).problem;
+  const std::vector<std::string> lines =
+      motions_from_rest(over_frequency(problem, 2.0, 2.6), {{2.5, 2.501}, {2.1, 2.3}}, "rad/s", 10.0);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "at 2.2 rad/s the motion from rest settles to a motion of 1 period with 1 event");
+  EXPECT_TRUE(lines[1].starts_with("at 2.5005 rad/s the motion from rest ")) << lines[1];
+}
+
+TEST(Attractors, TellWhatIsWhereTheBranchesOfASweepLeaveOut) {
+  const test::Outcome outcome = test::run_program(
+      "sweep sdof-stop-e08 --methods exact-orbit --from 1.8 --to 2.6 --max-branches 1 --format json");
+  EXPECT_EQ(outcome.code, 6) << outcome.err;
+  const Json answer = Json::parse(outcome.out);
+  ASSERT_FALSE(answer["incomplete"].empty());
+  EXPECT_TRUE(std::ranges::any_of(answer["notes"], [](const Json& note) {
+    return note.get<std::string>().find(" the motion from rest ") != std::string::npos;
+  })) << answer["notes"];
+}
+
 // The stop is at 0: what one motion reaches there, 1e-16, is not told from what another does, 0.
 TEST(Attractors, AreOneWhereTheyDifferByRoundingAtAStopAtTheOrigin) {
   const auto file = test::fresh_folder("attractors-origin") / "origin.toml";
