@@ -96,8 +96,8 @@ class RigidStops final : public Stops {
         product_by_transposed(held.response, columns_of(structure_.velocity_per_impulse, held.active));
     Eigen::MatrixXd of_state = Eigen::MatrixXd::Zero(active, structure_.states()),
                     held_rows = Eigen::MatrixXd::Zero(back.rows(), structure_.states());
-    held_rows.leftCols(n) =
-        others_ ? product(back, stiffness(mode)) : product_by_sparse(back, structure_.stiffness);
+    const Eigen::MatrixXd sprung = others_ ? stiffness(mode) : Eigen::MatrixXd();
+    held_rows.leftCols(n) = others_ ? product(back, sprung) : product_by_sparse(back, structure_.stiffness);
     held_rows.rightCols(n) =
         others_ ? product(back, damping(mode)) : product_by_sparse(back, structure_.damping);
     Eigen::MatrixXcd of_load(active, structure_.load.cols());
@@ -112,7 +112,7 @@ class RigidStops final : public Stops {
     write(held, held_rows, product_of_complex(-back, form.load));
     write(pushing, form.force_of_state, form.force_of_load);
     if (others_) {  // the offset bends the springs, too
-      const Eigen::VectorXd bent = stiffness(mode) * form.offset - structure_.stiffness * form.offset;
+      const Eigen::VectorXd bent = sprung * form.offset - structure_.stiffness * form.offset;
       form.load.col(0) -= bent.cast<std::complex<double>>();
     }
     form.force_of_state = std::move(of_state);

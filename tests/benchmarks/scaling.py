@@ -121,7 +121,7 @@ law = {{ restitution = {restitution} }}
 
 
 def rod(elements):
-    """The rod of [vadcard2022] in so many elements, its tip before a spring twenty times softer than itself."""
+    """The rod of [vadcard2022] in so many elements, its tip before a spring of 0.4 of its own stiffness."""
     return SweptScene(ROD.format(elements=elements, tip=elements - 1), 6e4, 7e4)
 
 
@@ -135,7 +135,7 @@ def guarded_chain(contacts):
 
 
 def slow_mass(percent):
-    """A mass that a slow load lays on its stop: the more impacts before, the less of its speed it loses."""
+    """A mass that a slow load lays on its stop, after the more impacts the more of its speed each of them leaves it."""
     return SweptScene(MASS.format(percent=percent, restitution=percent / 100), 0.1, 0.15)
 
 

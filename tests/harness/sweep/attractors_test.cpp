@@ -76,6 +76,20 @@ TEST(Attractors, AreOneWhereTheyDifferByRoundingAtAStopAtTheOrigin) {
     EXPECT_EQ(at["attractors"].size(), 1U) << at;
 }
 
+// Marches end where they come back to some 1e-6: the slower a motion is reached, the further they are off.
+TEST(Attractors, AreOneWhereStartsSettleSlowly) {
+  const auto file = test::fresh_folder("attractors-slow") / "slow.toml";
+  std::ofstream(file) << "schema = 1\nname = \"slow\"\nsystem = { kind = \"sdof\", mass = 1.0, damping = "
+                         "0.0683872, stiffness = "
+                         "1.0 }\nforcing = { frequency = 0.85, term = [{ dof = 0, cos = 1.0 }] }\n"
+                         "contact = [{ dof = 0, gap = 0.828045 }]\nlaw = { restitution = 0.8 }\n";
+  const test::Outcome outcome = test::run_program(
+      "sweep --attractors 24 --from 0.847805 --to 0.848652805 --points 2 --format json " + file.string());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const auto& at : nlohmann::json::parse(outcome.out)["attractors"])
+    EXPECT_EQ(at["attractors"].size(), 1U) << at;
+}
+
 TEST(Attractors, CommandTellsIrregularMotionsAndTheirShare) {
   const test::Outcome outcome =
       test::run_program("sweep chaos@2.97 --attractors 2 --at 2.97 --format json --timeout 20");
